@@ -1,0 +1,23 @@
+# Settings of our own targets; third-party headers are SYSTEM and exempt from the warnings.
+if(NOT CMAKE_BUILD_TYPE)
+  set(CMAKE_BUILD_TYPE Release CACHE STRING "" FORCE)
+endif()
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+set(CMAKE_POSITION_INDEPENDENT_CODE ON)
+set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}) # the command is build/vkpt
+find_package(Threads REQUIRED)
+
+set(VKPT_SANITIZE "" CACHE STRING "Sanitizers of our own code, e.g. address,undefined")
+option(VKPT_HOST_ONLY "Leave out the tests labelled `device`: no Vulkan driver under the sanitizers" OFF)
+
+add_library(vkpt_settings INTERFACE)
+target_compile_options(vkpt_settings INTERFACE -Wall -Wextra -Wconversion -Wshadow -Werror -ffp-contract=off)
+if(VKPT_SANITIZE)
+  target_compile_options(vkpt_settings INTERFACE -fsanitize=${VKPT_SANITIZE} -fno-sanitize-recover=all
+                                                 -fno-omit-frame-pointer)
+  target_link_options(vkpt_settings INTERFACE -fsanitize=${VKPT_SANITIZE})
+endif()
+include(cmake/library.cmake)

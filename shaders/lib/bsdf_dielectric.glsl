@@ -1,0 +1,39 @@
+// Smooth glass: Fresnel reflection or refraction, chosen in proportion to their shares. Radiance is not scaled
+// by the square of the index: the scale cancels for every path that leaves the glass again.
+
+// Unpolarised reflectance at cosI in [0, 1]; eta: index on the other side over the index on this side. OUT cosT:
+// cosine on the other side, 0 under total internal reflection. Exactly 0 for eta = 1, at grazing incidence too.
+Float fresnelDielectric(Float cosI, Float eta, OUT(Float) cosT) {
+  Float sin2T = (1.0 - cosI * cosI) / (eta * eta);
+  cosT = sqrt(max(1.0 - sin2T, 0.0));
+  Float rs = (cosI - eta * cosT) / (cosI + eta * cosT);
+  Float rp = (eta * cosI - cosT) / (eta * cosI + cosT);
+  Float f = sin2T >= 1.0 ? 1.0 : 0.5 * (rs * rs + rp * rp);
+  return eta == 1.0 ? 0.0 : f;
+}
+
+// A direction by Snell's law about n; `u` in [0, 1) chooses the branch.
+Vec3 dielectricDirection(Vec3 wo, Vec3 n, Float eta, Float u, OUT(bool) reflected) {
+  Float cosI = min(dot(n, wo), 1.0);
+  Float cosT;
+  Float f = fresnelDielectric(cosI, eta, cosT);
+  reflected = u < f;
+  Vec3 reflection = n * (2.0 * cosI) - wo;
+  Vec3 refraction = n * (cosI / eta - cosT) - wo / eta;
+  return reflected ? reflection : refraction;
+}
+
+// front: the ray comes from the side the normal points to, the index `m.ior` lies behind.
+BsdfSample sampleDielectric(Material m, Vec3 wo, Vec3 n, Vec3 ng, bool front, Float u) {
+  Float eta = front ? m.ior : 1.0 / m.ior;
+  BsdfSample s;
+  bool reflected;
+  s.wi = dielectricDirection(wo, n, eta, u, reflected);
+  if ((dot(s.wi, ng) > 0.0) != reflected) { // a shading normal sent it to the wrong side
+    s.wi = dielectricDirection(wo, ng, eta, u, reflected);
+  }
+  s.wi = normalize(s.wi);
+  s.weight = Vec3(1.0);
+  s.specular = true;
+  return s;
+}

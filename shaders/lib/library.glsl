@@ -1,0 +1,16 @@
+// The whole library in the order it needs. The including program defines the accessors between records.glsl and
+// this file.
+#include "rng.glsl"
+#include "frame.glsl"
+#include "ray.glsl"
+#include "triangle.glsl"
+#include "traverse.glsl"
+#include "bsdf.glsl"
+#include "bsdf_diffuse.glsl"
+#include "bsdf_mirror.glsl"
+#include "bsdf_conductor.glsl"
+#include "bsdf_dielectric.glsl"
+#include "light.glsl"
+#include "path.glsl"
+#include "camera.glsl"
+#include "film.glsl"

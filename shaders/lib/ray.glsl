@@ -1,0 +1,32 @@
+// Rays, and where a new one may start.
+
+CONSTANT uint kNoTriangle = 0xFFFFFFFFu;
+CONSTANT Float kFarAway = 1e30; // no hit; absent boxes of the BVH lie there, and so are never entered
+
+struct Ray {
+  Vec3 o;
+  Vec3 d;       // unit length
+  uint exclude; // the triangle the ray starts from, never hit again; kNoTriangle for a camera ray
+};
+
+struct Hit {
+  Float t;       // distance along the ray; kFarAway: nothing
+  Float b1;      // barycentric coordinates of the second and third corner
+  Float b2;
+  uint triangle; // in BVH order
+  uint id;       // in input order: ties go to the lower one, whatever the BVH
+};
+
+// How far rounding may have moved a point interpolated on a triangle, and a triangle's plane as a later ray sees
+// it, along each axis: a few ulp of the corners' coordinates (Pharr, Jakob, Humphreys, PBRT 4th ed., 6.8.5: 7 ulp
+// for the interpolation; the rest covers the translation and shear of the next intersection).
+Vec3 positionError(Vec3 v0, Vec3 v1, Vec3 v2) {
+  return (16.0 * kEpsilon) * max(abs(v0), max(abs(v1), abs(v2)));
+}
+
+// Moves p off its surface to the side that w points to, far enough that no rounding puts it on the other side.
+// ng: unit geometric normal; error: from positionError().
+Vec3 offsetRayOrigin(Vec3 p, Vec3 error, Vec3 ng, Vec3 w) {
+  Float distance = dot(abs(ng), error);
+  return p + ng * (dot(ng, w) < 0.0 ? -distance : distance);
+}

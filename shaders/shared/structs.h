@@ -1,0 +1,117 @@
+// Structs and constants that the host and the shaders share; the only definition of each layout.
+// Only uint, float and vec4, in an order that std140 and std430 lay out as C++ does.
+#ifndef VKPT_SHARED_STRUCTS_H
+#define VKPT_SHARED_STRUCTS_H
+
+#ifdef __cplusplus
+#include <cstdint>
+namespace vkpt::shared {
+using uint = std::uint32_t;
+struct alignas(16) vec4 {
+  float x, y, z, w;
+};
+#define VKPT_CONSTANT inline constexpr
+#else
+#define VKPT_CONSTANT const
+#endif
+
+// --- bindings of descriptor set 0 ---
+VKPT_CONSTANT uint kBindingFrame = 0u;     // uniform FrameConstants
+VKPT_CONSTANT uint kBindingNodes = 1u;     // texel buffer: 8 texels a node
+VKPT_CONSTANT uint kBindingTriangles = 2u; // texel buffer: 3 texels a triangle, in BVH order
+VKPT_CONSTANT uint kBindingNormals = 3u;   // texel buffer: 3 texels a triangle, in BVH order
+VKPT_CONSTANT uint kBindingMaterials = 4u; // texel buffer: 4 texels a material
+VKPT_CONSTANT uint kBindingLights = 5u;    // texel buffer: 4 texels a light
+VKPT_CONSTANT uint kBindingPaths = 6u;     // storage: saved path states, plane by plane
+VKPT_CONSTANT uint kBindingCounters = 7u;  // storage: Counters
+VKPT_CONSTANT uint kBindingFilm = 8u;      // storage[kFilmPlanes]: the film, one buffer a plane
+VKPT_CONSTANT uint kBindingCount = 9u;
+
+// --- texels a record takes ---
+VKPT_CONSTANT uint kTexelsPerNode = 8u;
+VKPT_CONSTANT uint kTexelsPerTriangle = 3u;
+VKPT_CONSTANT uint kTexelsPerMaterial = 4u;
+VKPT_CONSTANT uint kTexelsPerLight = 4u;
+
+// --- specialisation constants beside the effects (ids 0..63) ---
+VKPT_CONSTANT uint kConstantStackSize = 64u;
+VKPT_CONSTANT uint kConstantRouletteMode = 65u;
+
+VKPT_CONSTANT uint kRouletteAlbedo = 0u;
+VKPT_CONSTANT uint kRouletteThroughput = 1u;
+
+// --- materials: the values of vkpt::BsdfType ---
+VKPT_CONSTANT uint kBsdfDiffuse = 0u;
+VKPT_CONSTANT uint kBsdfMirror = 1u;
+VKPT_CONSTANT uint kBsdfDielectric = 2u;
+VKPT_CONSTANT uint kBsdfConductor = 3u;
+
+// --- the unit of work ---
+VKPT_CONSTANT uint kBlockEdge = 8u; // pixels are worked on in blocks of 8x8, one work-group each
+VKPT_CONSTANT uint kBlockPixels = 64u;
+VKPT_CONSTANT uint kStripes = 64u; // neighbouring work-groups lie in different stripes of the image
+VKPT_CONSTANT uint kSamplesPerGroup =
+    16u;                                // samples summed in float before they join the film's pairs of floats
+VKPT_CONSTANT uint kBounceCap = 10000u; // ends paths trapped by total internal reflection; counted
+
+// lavapipe ends ALL loops of a subgroup together, in silence, after 65 535 iterations
+// (LP_MAX_TGSI_LOOP_ITERATIONS). A vertex starts only below kIterationBudget and its two traversals take at
+// most kMaxTraversalSteps each, so the limit is never met: 24000 + 2 * 20000 < 65535.
+VKPT_CONSTANT uint kIterationBudget = 24000u;
+VKPT_CONSTANT uint kMaxTraversalSteps = 20000u;
+
+// --- the film: planes of one 32-bit value a pixel ---
+VKPT_CONSTANT uint kFilmCount = 0u;      // uint: samples, those of the open group included
+VKPT_CONSTANT uint kFilmMean = 1u;       // float pairs (high, low) x RGB, of the closed groups
+VKPT_CONSTANT uint kFilmDeviations = 7u; // the same for the sums of squared deviations
+VKPT_CONSTANT uint kFilmOpenMean = 13u;  // float x RGB: the open group, fewer than kSamplesPerGroup samples
+VKPT_CONSTANT uint kFilmOpenDeviations = 16u;
+VKPT_CONSTANT uint kFilmPlanes = 19u; // 76 bytes a pixel
+
+VKPT_CONSTANT uint kPathPlanes = 6u; // uvec4 planes of a saved path state: 96 bytes a slot
+
+// --- what one dispatch reports ---
+struct Counters {
+  uint unfinished; // slots with samples still to do
+  uint raysClosest;
+  uint raysShadow;
+  uint cappedPaths;
+  uint carriedPaths; // paths saved for the next dispatch
+  uint nonFinite;
+  uint cutTraversal;
+  uint stackOverflow;
+  uint invalidPdf;
+};
+
+// --- what stays the same over a render: uniform buffer ---
+struct FrameConstants {
+  vec4 eye;       // camera position in local coordinates
+  vec4 upperLeft; // direction to the image plane's top left corner (plane at distance 1)
+  vec4 right;     // over the image's width, at distance 1
+  vec4 down;      // over the image's height
+  vec4 background;
+  uint width;
+  uint height;
+  uint seed;
+  uint lightCount;
+  uint maxBounces;
+  uint rouletteAfter;
+  uint blocksX; // blocks in a row of the image
+  uint blocksPerStripe;
+};
+
+// --- what a dispatch works on: push constants ---
+struct Dispatch {
+  uint firstBlock; // of the tile, in striped order
+  uint blockCount;
+  uint slotCount;   // blockCount * kBlockPixels
+  uint firstSample; // low 32 bits of the sample index
+  uint firstSampleHigh;
+  uint sampleCount; // samples a pixel in this batch; never straddles a group
+  uint fresh;       // 1: start the batch; 0: go on with the saved states
+};
+
+#ifdef __cplusplus
+} // namespace vkpt::shared
+#endif
+#endif

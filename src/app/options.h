@@ -1,0 +1,48 @@
+#pragma once
+// The command line.
+
+#include "core/log.h"
+#include "film/image.h"
+#include "render/render_job.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace vkpt {
+
+struct RenderOptions {
+  std::vector<fs::path> scenes;
+  RenderJob job;
+  EstimatorSettings estimator;
+  std::optional<std::pair<int, int>> size;
+  std::vector<fs::path> outputs;
+  DisplaySettings display;
+  std::uint32_t seed = 0;
+  std::optional<Vec3f> background;
+  std::optional<std::pair<Vec3d, Vec3d>> lookAt; ///< eye, target
+  std::optional<Vec3d> up;
+  std::optional<double> fovDegrees; ///< horizontal
+  std::string device;
+  fs::path stats;
+  bool strict = false;
+  bool progress = true;
+  bool validation = false;
+  LogLevel log = LogLevel::Normal;
+};
+
+enum class Command { Render, Devices, ListScenes, Exit };
+
+struct CommandLine {
+  Command command = Command::Render;
+  RenderOptions render;
+};
+
+/// Parses the arguments, without the program's name. Prints help or version itself (command Exit). Throws
+/// UsageError: one line that names the option, what is wrong, and what would be right.
+CommandLine parseCommandLine(const std::vector<std::string>& arguments);
+
+/// Every option as it was expanded, one a line, for --verbose.
+std::vector<std::string> describeOptions(const RenderOptions& options);
+
+} // namespace vkpt

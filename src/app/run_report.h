@@ -1,0 +1,38 @@
+#pragma once
+// What a run says at its end: the summary, the JSON figures and the images' metadata, all from one struct.
+
+#include "app/options.h"
+#include "film/film.h"
+#include "render/render_loop.h"
+
+namespace vkpt {
+
+struct RunReport {
+  std::string scene;
+  int width = 0;
+  int height = 0;
+  RenderResult result;
+  struct Seconds {
+    double load = 0.0;
+    double build = 0.0;
+    double compile = 0.0;
+    double render = 0.0;
+    double output = 0.0;
+  } seconds;
+  RunCounters counters;
+  FilmStatistics film;
+  std::vector<std::string> effects;
+  std::string device;
+  std::uint32_t seed = 0;
+  std::uint64_t deviceBytes = 0;
+  std::vector<std::string> notes; ///< conventions of the file's framework that were applied
+  std::vector<std::string> bias;  ///< options that bias the result, empty by default
+};
+
+/// The summary for stdout: time, samples, rays, error, why it stopped, where the images are.
+std::string summaryText(const RunReport& report, const std::vector<fs::path>& outputs);
+/// interface.md's `--stats` schema 1.
+std::string statsJson(const RunReport& report);
+Metadata imageMetadata(const RunReport& report);
+
+} // namespace vkpt

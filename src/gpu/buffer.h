@@ -1,0 +1,53 @@
+#pragma once
+// Device buffers and texel views.
+
+#include "gpu/context.h"
+
+#include <span>
+
+namespace vkpt::gpu {
+
+enum class MemoryKind {
+  Device, ///< the device's own; written through a staging buffer unless the host can see it
+  Host,   ///< seen by the host, coherent: counters, constants, staging
+};
+
+/// A buffer with memory of its own. Sizes are bytes and at least 16: Vulkan has no empty buffers.
+class Buffer {
+public:
+  Buffer() = default;
+  /// Throws DeviceError naming `what`, the need and the limit.
+  Buffer(const Context& context, std::string what, vk::DeviceSize bytes, vk::BufferUsageFlags usage,
+         MemoryKind kind);
+
+  [[nodiscard]] vk::Buffer handle() const { return *m_buffer; }
+  [[nodiscard]] vk::DeviceSize bytes() const { return m_bytes; }
+  /// Host address; null when the host can't see the memory.
+  [[nodiscard]] void* mapped() const { return m_mapped; }
+
+  void write(const Context& context, std::span<const std::byte> data) const;
+  void read(const Context& context, std::span<std::byte> data) const;
+  void fillZero(const Context& context) const;
+
+private:
+  std::string m_what;
+  vk::DeviceSize m_bytes = 0;
+  vk::raii::DeviceMemory m_memory = nullptr;
+  vk::raii::Buffer m_buffer = nullptr;
+  void* m_mapped = nullptr;
+};
+
+/// A read-only array of rgba32ui texels; at least one texel.
+class TexelBuffer {
+public:
+  TexelBuffer() = default;
+  TexelBuffer(const Context& context, const std::string& what, std::span<const std::byte> data);
+  [[nodiscard]] vk::BufferView view() const { return *m_view; }
+  [[nodiscard]] vk::DeviceSize bytes() const { return m_buffer.bytes(); }
+
+private:
+  Buffer m_buffer;
+  vk::raii::BufferView m_view = nullptr;
+};
+
+} // namespace vkpt::gpu

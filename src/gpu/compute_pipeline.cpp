@@ -1,0 +1,63 @@
+#include "gpu/compute_pipeline.h"
+
+#include "core/error.h"
+
+#include <fmt/format.h>
+
+namespace vkpt::gpu {
+
+BindingSet::BindingSet(const Context& context, std::span<const BindingLayout> bindings,
+                       std::uint32_t pushConstantBytes) {
+  std::vector<vk::DescriptorSetLayoutBinding> layout;
+  std::vector<vk::DescriptorPoolSize> sizes;
+  for (const auto& b : bindings) {
+    layout.emplace_back(b.binding, b.type, b.count, vk::ShaderStageFlagBits::eCompute);
+    sizes.emplace_back(b.type, b.count);
+  }
+  m_layout = vk::raii::DescriptorSetLayout(context.device(), {{}, layout});
+  const vk::PushConstantRange push(vk::ShaderStageFlagBits::eCompute, 0, pushConstantBytes);
+  m_pipelineLayout = vk::raii::PipelineLayout(context.device(), {{}, *m_layout, push});
+  m_pool = vk::raii::DescriptorPool(context.device(),
+                                    {vk::DescriptorPoolCreateFlagBits::eFreeDescriptorSet, 1, sizes});
+  m_sets = vk::raii::DescriptorSets(context.device(), {*m_pool, *m_layout});
+}
+
+void BindingSet::bind(const Context& context, std::uint32_t binding, const TexelBuffer& texels) const {
+  const vk::BufferView view = texels.view();
+  context.device().updateDescriptorSets(vk::WriteDescriptorSet(set(), binding, 0, 1,
+                                                               vk::DescriptorType::eStorageTexelBuffer,
+                                                               nullptr, nullptr, &view),
+                                        {});
+}
+
+void BindingSet::bind(const Context& context, std::uint32_t binding, const Buffer& buffer,
+                      vk::DescriptorType type, std::uint32_t element) const {
+  const vk::DescriptorBufferInfo info(buffer.handle(), 0, buffer.bytes());
+  context.device().updateDescriptorSets(
+      vk::WriteDescriptorSet(set(), binding, element, 1, type, nullptr, &info, nullptr), {});
+}
+
+ComputePipeline::ComputePipeline(const Context& context, std::span<const std::uint32_t> spirv,
+                                 const BindingSet& bindings, const SpecialisationMap& constants) {
+  std::vector<vk::SpecializationMapEntry> entries;
+  std::vector<std::uint32_t> values;
+  for (const auto& [id, value] : constants) {
+    entries.emplace_back(id, static_cast<std::uint32_t>(values.size() * sizeof(std::uint32_t)),
+                         sizeof(std::uint32_t));
+    values.push_back(value);
+  }
+  const vk::SpecializationInfo specialisation(static_cast<std::uint32_t>(entries.size()), entries.data(),
+                                              values.size() * sizeof(std::uint32_t), values.data());
+  try {
+    const vk::raii::ShaderModule module(context.device(), {{}, spirv.size_bytes(), spirv.data()});
+    const vk::PipelineShaderStageCreateInfo stage({}, vk::ShaderStageFlagBits::eCompute, *module, "main",
+                                                  &specialisation);
+    m_pipeline = vk::raii::Pipeline(context.device(), nullptr,
+                                    vk::ComputePipelineCreateInfo({}, stage, bindings.pipelineLayout()));
+  } catch (const vk::SystemError& e) {
+    throw DeviceError(
+        fmt::format("{}: the compute pipeline could not be made: {}", context.info().name, e.what()));
+  }
+}
+
+} // namespace vkpt::gpu

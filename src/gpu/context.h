@@ -1,0 +1,61 @@
+#pragma once
+// The Vulkan instance, device and queue that everything on the device shares.
+
+#include <vulkan/vulkan_raii.hpp>
+
+#include <atomic>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace vkpt::gpu {
+
+struct DeviceInfo {
+  std::string name;
+  std::string driver; ///< driver's name and version text
+  std::string type;   ///< "CPU", "DiscreteGpu", ...
+  std::string api;    ///< "1.3.230"
+};
+
+struct ContextOptions {
+  std::string device;      ///< index or part of a name; empty: a discrete GPU, else any
+  bool validation = false; ///< turn the Khronos validation layer on; an error if it is missing
+};
+
+/// The devices that Vulkan shows, in its order, and which one `options.device` would choose.
+std::vector<DeviceInfo> listDevices();
+std::size_t chooseDevice(const std::vector<DeviceInfo>& devices, const std::string& selector);
+
+/// Owns instance, device and one compute queue. Throws DeviceError, also for every failed Vulkan call.
+class Context {
+public:
+  explicit Context(const ContextOptions& options = {});
+
+  [[nodiscard]] const vk::raii::Device& device() const { return m_device; }
+  [[nodiscard]] const vk::PhysicalDeviceLimits& limits() const { return m_limits; }
+  [[nodiscard]] const vk::PhysicalDeviceMemoryProperties& memory() const { return m_memory; }
+  [[nodiscard]] const DeviceInfo& info() const { return m_info; }
+  /// Messages of the validation layer so far; tests demand none.
+  [[nodiscard]] std::uint64_t validationMessages() const { return *m_validationMessages; }
+
+  /// Records commands, submits them and waits until they are done.
+  void execute(const std::function<void(const vk::raii::CommandBuffer&)>& record) const;
+
+private:
+  vk::raii::Context m_loader;
+  std::shared_ptr<std::atomic<std::uint64_t>> m_validationMessages;
+  vk::raii::Instance m_instance = nullptr;
+  vk::raii::DebugUtilsMessengerEXT m_messenger = nullptr;
+  vk::raii::PhysicalDevice m_physical = nullptr;
+  vk::raii::Device m_device = nullptr;
+  vk::raii::Queue m_queue = nullptr;
+  vk::raii::CommandPool m_pool = nullptr;
+  vk::raii::CommandBuffers m_commands = nullptr;
+  vk::raii::Fence m_fence = nullptr;
+  vk::PhysicalDeviceLimits m_limits;
+  vk::PhysicalDeviceMemoryProperties m_memory;
+  DeviceInfo m_info;
+};
+
+} // namespace vkpt::gpu

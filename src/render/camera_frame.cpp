@@ -1,0 +1,44 @@
+#include "render/camera_frame.h"
+
+#include "core/error.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace vkpt {
+namespace {
+
+shared::vec4 toVec4(const Vec3d& v) {
+  return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z), 0.0F};
+}
+
+} // namespace
+
+void setCamera(shared::FrameConstants& constants, const Scene& scene, int width, int height) {
+  const Camera& c = scene.camera;
+  const Vec3d view = c.target - c.eye;
+  const Vec3d side = glm::cross(view, c.up);
+  if (!(glm::length(view) > 0.0))
+    throw UsageError("the camera's eye and target are the same point");
+  if (!(glm::length(side) > 1e-9 * glm::length(view) * glm::length(c.up))) {
+    throw UsageError("the camera's up vector is parallel to its view; give another --up");
+  }
+  if (!(c.fovDegrees > 0.0 && c.fovDegrees < 180.0)) {
+    throw UsageError(
+        fmt::format("a field of view of {} degrees; it must lie between 0 and 180", c.fovDegrees));
+  }
+  const double extent = 2.0 * std::tan(0.5 * c.fovDegrees * std::numbers::pi / 180.0);
+  const double aspect = static_cast<double>(width) / static_cast<double>(height);
+  const bool horizontal = c.fovAxis == Camera::FovAxis::Horizontal;
+  const Vec3d forward = glm::normalize(view);
+  const Vec3d right = glm::normalize(side) * (horizontal ? extent : extent * aspect);
+  const Vec3d down = glm::normalize(glm::cross(forward, side)) * (horizontal ? extent / aspect : extent);
+  constants.eye = toVec4(c.eye - scene.origin);
+  constants.upperLeft = toVec4(forward - 0.5 * right - 0.5 * down);
+  constants.right = toVec4(right);
+  constants.down = toVec4(down);
+}
+
+} // namespace vkpt

@@ -1,0 +1,85 @@
+#include "render/device_film.h"
+
+#include "core/error.h"
+#include "shared/structs.h"
+
+#include <fmt/format.h>
+
+#include <bit>
+
+namespace vkpt {
+namespace {
+
+using Planes = std::vector<std::vector<std::uint32_t>>;
+
+double pairAt(const Planes& planes, std::uint32_t plane, std::size_t pixel) {
+  return static_cast<double>(std::bit_cast<float>(planes[plane][pixel])) +
+         static_cast<double>(std::bit_cast<float>(planes[plane + 1][pixel]));
+}
+
+PixelMoments momentsAt(const Planes& planes, std::size_t pixel) {
+  using namespace shared;
+  const std::uint32_t count = planes[kFilmCount][pixel];
+  PixelMoments closed;
+  PixelMoments open;
+  open.count = count % kSamplesPerGroup;
+  closed.count = count - open.count;
+  for (std::uint32_t c = 0; c < 3; ++c) {
+    const auto i = static_cast<int>(c);
+    closed.mean[i] = pairAt(planes, kFilmMean + 2 * c, pixel);
+    closed.m2[i] = pairAt(planes, kFilmDeviations + 2 * c, pixel);
+    open.mean[i] = std::bit_cast<float>(planes[kFilmOpenMean + c][pixel]);
+    open.m2[i] = std::bit_cast<float>(planes[kFilmOpenDeviations + c][pixel]);
+  }
+  closed.merge(open);
+  return closed;
+}
+
+} // namespace
+
+DeviceFilm::DeviceFilm(const gpu::Context& context, int width, int height)
+    : m_width(width), m_height(height) {
+  const auto pixels = static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(height);
+  const std::uint64_t limit = context.limits().maxStorageBufferRange / sizeof(std::uint32_t);
+  if (pixels > limit) {
+    throw UsageError(fmt::format("--size {}x{}: {} pixels; {} can do {} at most", width, height, pixels,
+                                 context.info().name, limit));
+  }
+  for (std::uint32_t i = 0; i < shared::kFilmPlanes; ++i) {
+    m_planes.emplace_back(context, "film plane", pixels * sizeof(std::uint32_t),
+                          vk::BufferUsageFlagBits::eStorageBuffer, gpu::MemoryKind::Device);
+  }
+  clear(context);
+}
+
+void DeviceFilm::bind(const gpu::Context& context, const gpu::BindingSet& bindings) const {
+  for (std::uint32_t i = 0; i < shared::kFilmPlanes; ++i) {
+    bindings.bind(context, shared::kBindingFilm, m_planes[i], vk::DescriptorType::eStorageBuffer, i);
+  }
+}
+
+void DeviceFilm::clear(const gpu::Context& context) const {
+  for (const auto& plane : m_planes)
+    plane.fillZero(context);
+}
+
+Film DeviceFilm::download(const gpu::Context& context) const {
+  const auto pixels = static_cast<std::size_t>(m_width) * static_cast<std::size_t>(m_height);
+  Planes planes(shared::kFilmPlanes, std::vector<std::uint32_t>(pixels));
+  for (std::size_t i = 0; i < planes.size(); ++i) {
+    m_planes[i].read(context, std::as_writable_bytes(std::span{planes[i]}));
+  }
+  Film film{m_width, m_height, std::vector<PixelMoments>(pixels)};
+  for (std::size_t i = 0; i < pixels; ++i)
+    film.pixels[i] = momentsAt(planes, i);
+  return film;
+}
+
+std::uint64_t DeviceFilm::bytes() const {
+  std::uint64_t sum = 0;
+  for (const auto& plane : m_planes)
+    sum += plane.bytes();
+  return sum;
+}
+
+} // namespace vkpt

@@ -1,0 +1,160 @@
+#include "render/integrator.h"
+
+#include "render/camera_frame.h"
+#include "spirv.h"
+
+#include <algorithm>
+#include <bit>
+#include <cassert>
+#include <cstring>
+
+namespace vkpt {
+namespace {
+
+using namespace shared;
+using vk::DescriptorType;
+
+constexpr auto kLayout = std::to_array<gpu::BindingLayout>({
+    {kBindingFrame, DescriptorType::eUniformBuffer},
+    {kBindingNodes, DescriptorType::eStorageTexelBuffer},
+    {kBindingTriangles, DescriptorType::eStorageTexelBuffer},
+    {kBindingNormals, DescriptorType::eStorageTexelBuffer},
+    {kBindingMaterials, DescriptorType::eStorageTexelBuffer},
+    {kBindingLights, DescriptorType::eStorageTexelBuffer},
+    {kBindingPaths, DescriptorType::eStorageBuffer},
+    {kBindingCounters, DescriptorType::eStorageBuffer},
+    {kBindingFilm, DescriptorType::eStorageBuffer, kFilmPlanes},
+});
+static_assert(kLayout.size() == kBindingCount);
+
+gpu::SpecialisationMap specialise(const EffectSet& effects, const EstimatorSettings& estimator,
+                                  std::uint32_t stack) {
+  gpu::SpecialisationMap constants;
+  for (const auto& e : allEffects())
+    constants[static_cast<std::uint32_t>(e.effect)] = effects.has(e.effect) ? 1U : 0U;
+  constants[kConstantStackSize] = stack;
+  constants[kConstantRouletteMode] = static_cast<std::uint32_t>(estimator.roulette);
+  return constants;
+}
+
+std::uint32_t blocksAlong(int pixels) {
+  return (static_cast<std::uint32_t>(pixels) + kBlockEdge - 1) / kBlockEdge;
+}
+
+FrameConstants frameConstants(const DeviceScene& scene, const Scene& source, const IntegratorSettings& s) {
+  FrameConstants c{};
+  setCamera(c, source, s.width, s.height);
+  c.background = {source.background.x, source.background.y, source.background.z, 0.0F};
+  c.width = static_cast<std::uint32_t>(s.width);
+  c.height = static_cast<std::uint32_t>(s.height);
+  c.seed = s.seed;
+  c.lightCount = scene.lightCount;
+  c.maxBounces = s.estimator.maxBounces;
+  c.rouletteAfter = s.estimator.effectiveRouletteAfter();
+  c.blocksX = blocksAlong(s.width);
+  c.blocksPerStripe = (c.blocksX * blocksAlong(s.height) + kStripes - 1) / kStripes;
+  return c;
+}
+
+void barrier(const vk::raii::CommandBuffer& commands) {
+  using Access = vk::AccessFlagBits;
+  using Stage = vk::PipelineStageFlagBits;
+  const vk::MemoryBarrier all(Access::eShaderWrite, Access::eShaderRead | Access::eShaderWrite |
+                                                        Access::eHostRead | Access::eTransferRead);
+  commands.pipelineBarrier(Stage::eComputeShader, Stage::eComputeShader | Stage::eHost | Stage::eTransfer, {},
+                           all, {}, {});
+}
+
+} // namespace
+
+Integrator::Integrator(const gpu::Context& context, const DeviceScene& scene, const Scene& source,
+                       const EffectSet& effects, const IntegratorSettings& settings)
+    : m_context(context), m_settings(settings), m_constants(frameConstants(scene, source, settings)),
+      m_bindings(context, kLayout, sizeof(Dispatch)),
+      m_path(context, spirv::kPath, m_bindings, specialise(effects, settings.estimator, scene.stackSize)),
+      m_commit(context, spirv::kCommit, m_bindings, {}),
+      m_constantsBuffer(context, "frame constants", sizeof(FrameConstants),
+                        vk::BufferUsageFlagBits::eUniformBuffer, gpu::MemoryKind::Host),
+      m_countersBuffer(context, "counters", sizeof(Counters), vk::BufferUsageFlagBits::eStorageBuffer,
+                       gpu::MemoryKind::Host),
+      m_film(context, settings.width, settings.height) {
+  m_constantsBuffer.write(context, std::as_bytes(std::span{&m_constants, 1}));
+  m_bindings.bind(context, kBindingFrame, m_constantsBuffer, DescriptorType::eUniformBuffer);
+  m_bindings.bind(context, kBindingNodes, scene.nodes);
+  m_bindings.bind(context, kBindingTriangles, scene.triangles);
+  m_bindings.bind(context, kBindingNormals, scene.normals);
+  m_bindings.bind(context, kBindingMaterials, scene.materials);
+  m_bindings.bind(context, kBindingLights, scene.lights);
+  m_bindings.bind(context, kBindingCounters, m_countersBuffer, DescriptorType::eStorageBuffer);
+  m_film.bind(context, m_bindings);
+  reserveSlots(kBlockPixels);
+}
+
+std::uint32_t Integrator::blockCount() const { return m_constants.blocksPerStripe * kStripes; }
+
+void Integrator::reserveSlots(std::uint32_t slots) {
+  if (slots <= m_slots)
+    return;
+  m_slots = std::bit_ceil(slots);
+  const vk::DeviceSize bytes = vk::DeviceSize{m_slots} * kPathPlanes * sizeof(Texel);
+  m_paths = gpu::Buffer(m_context, "path states", bytes, vk::BufferUsageFlagBits::eStorageBuffer,
+                        gpu::MemoryKind::Device);
+  m_bindings.bind(m_context, kBindingPaths, m_paths, DescriptorType::eStorageBuffer);
+}
+
+void Integrator::dispatch(const gpu::ComputePipeline& pipeline, const Dispatch& job) const {
+  m_context.execute([&](const vk::raii::CommandBuffer& commands) {
+    commands.bindPipeline(vk::PipelineBindPoint::eCompute, pipeline.handle());
+    commands.bindDescriptorSets(vk::PipelineBindPoint::eCompute, m_bindings.pipelineLayout(), 0,
+                                m_bindings.set(), {});
+    commands.pushConstants<Dispatch>(m_bindings.pipelineLayout(), vk::ShaderStageFlagBits::eCompute, 0, job);
+    commands.dispatch(job.blockCount, 1, 1);
+    barrier(commands);
+  });
+}
+
+Counters Integrator::tracePaths(const Dispatch& job) {
+  std::memset(m_countersBuffer.mapped(), 0, sizeof(Counters));
+  dispatch(m_path, job);
+  Counters c{};
+  std::memcpy(&c, m_countersBuffer.mapped(), sizeof(Counters));
+  m_counters.raysClosest += c.raysClosest;
+  m_counters.raysShadow += c.raysShadow;
+  m_counters.cappedPaths += c.cappedPaths;
+  m_counters.carriedPaths += c.carriedPaths;
+  m_counters.nonFinite += c.nonFinite;
+  m_counters.cutTraversal += c.cutTraversal;
+  m_counters.stackOverflow += c.stackOverflow;
+  m_counters.invalidPdf += c.invalidPdf;
+  ++m_counters.dispatches;
+  return c;
+}
+
+std::uint64_t Integrator::renderTile(const Tile& tile, std::uint64_t firstSample, std::uint32_t count) {
+  assert(firstSample % kSamplesPerGroup + count <= kSamplesPerGroup);
+  Dispatch job{};
+  job.firstBlock = tile.firstBlock;
+  job.blockCount = tile.blockCount;
+  job.slotCount = tile.blockCount * kBlockPixels;
+  job.firstSample = static_cast<std::uint32_t>(firstSample);
+  job.firstSampleHigh = static_cast<std::uint32_t>(firstSample >> 32U);
+  job.sampleCount = count;
+  job.fresh = 1;
+  reserveSlots(job.slotCount);
+  // Every dispatch takes each unfinished path at least one vertex further, and no path is longer than
+  // kBounceCap.
+  while (tracePaths(job).unfinished > 0)
+    job.fresh = 0;
+  if (count > 0)
+    dispatch(m_commit, job);
+  const std::uint64_t samples = std::uint64_t{job.slotCount} * count;
+  m_counters.samples += samples;
+  return samples;
+}
+
+void Integrator::warmUp() {
+  renderTile({0, 1}, 0, 0);
+  m_counters = {};
+}
+
+} // namespace vkpt

@@ -1,0 +1,78 @@
+#pragma once
+// Runs the kernels: one unit of work is a tile times a batch of frames.
+
+#include "device/device_scene.h"
+#include "device/effects.h"
+#include "gpu/compute_pipeline.h"
+#include "render/device_film.h"
+#include "shared/structs.h"
+
+namespace vkpt {
+
+/// Sums over a run of what the dispatches report; see interface.md for the JSON names.
+struct RunCounters {
+  std::uint64_t samples = 0;
+  std::uint64_t raysClosest = 0;
+  std::uint64_t raysShadow = 0;
+  std::uint64_t cappedPaths = 0;  ///< ended by the far bounce cap (trapped by total internal reflection)
+  std::uint64_t carriedPaths = 0; ///< saved in one dispatch, gone on with in the next
+  std::uint64_t nonFinite = 0;
+  std::uint64_t cutTraversal = 0;
+  std::uint64_t stackOverflow = 0;
+  std::uint64_t invalidPdf = 0;
+  std::uint64_t dispatches = 0;
+  [[nodiscard]] std::uint64_t faults() const { return nonFinite + cutTraversal + stackOverflow + invalidPdf; }
+};
+
+/// Blocks of 8x8 pixels in striped order (device_memory.glsl: pixelOfSlot).
+struct Tile {
+  std::uint32_t firstBlock = 0;
+  std::uint32_t blockCount = 0;
+};
+
+struct IntegratorSettings {
+  EstimatorSettings estimator;
+  int width = 512;
+  int height = 512;
+  std::uint32_t seed = 0;
+};
+
+class Integrator {
+public:
+  Integrator(const gpu::Context& context, const DeviceScene& scene, const Scene& source,
+             const EffectSet& effects, const IntegratorSettings& settings);
+
+  /// Blocks there are; a few at the end may lie outside the image.
+  [[nodiscard]] std::uint32_t blockCount() const;
+  /// Traces samples [firstSample, firstSample + count) of every pixel of the tile and commits them to the
+  /// film. They lie within one group of kSamplesPerGroup. Returns the samples taken.
+  std::uint64_t renderTile(const Tile& tile, std::uint64_t firstSample, std::uint32_t count);
+  /// Makes the driver compile what it compiles at the first use.
+  void warmUp();
+  void clear() { m_film.clear(m_context); }
+
+  [[nodiscard]] Film film() const { return m_film.download(m_context); }
+  [[nodiscard]] const RunCounters& counters() const { return m_counters; }
+  [[nodiscard]] const IntegratorSettings& settings() const { return m_settings; }
+  [[nodiscard]] std::uint64_t filmBytes() const { return m_film.bytes(); }
+
+private:
+  void reserveSlots(std::uint32_t slots);
+  void dispatch(const gpu::ComputePipeline& pipeline, const shared::Dispatch& job) const;
+  shared::Counters tracePaths(const shared::Dispatch& job);
+
+  const gpu::Context& m_context;
+  IntegratorSettings m_settings;
+  shared::FrameConstants m_constants{};
+  gpu::BindingSet m_bindings;
+  gpu::ComputePipeline m_path;
+  gpu::ComputePipeline m_commit;
+  gpu::Buffer m_constantsBuffer;
+  gpu::Buffer m_countersBuffer;
+  gpu::Buffer m_paths;
+  std::uint32_t m_slots = 0;
+  DeviceFilm m_film;
+  RunCounters m_counters;
+};
+
+} // namespace vkpt

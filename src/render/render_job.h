@@ -1,0 +1,23 @@
+#pragma once
+// What to render and when to stop.
+
+#include "render/integrator.h"
+
+#include <optional>
+
+namespace vkpt {
+
+enum class StopReason { Frames, Time, Error, User, Fault };
+/// The promised names: "frames", "time", "error", "user", "fault".
+const char* stopReasonName(StopReason reason);
+
+struct RenderJob {
+  std::optional<std::uint64_t> frames; ///< samples for every pixel
+  std::optional<double> seconds;       ///< of rendering
+  std::optional<double> targetError;   ///< relative error of the image
+  std::uint32_t batch =
+      shared::kSamplesPerGroup; ///< frames per unit of work, 1..kSamplesPerGroup; no image depends on it
+  std::uint32_t tileBlocks = 0; ///< blocks per unit of work; 0: by measured time. No image depends on it
+};
+
+} // namespace vkpt

@@ -1,0 +1,137 @@
+#include "render/render_loop.h"
+
+#include "core/clock.h"
+#include "render/dispatch_sizer.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace vkpt {
+namespace {
+
+constexpr std::uint64_t kNoLimit = std::numeric_limits<std::uint64_t>::max();
+constexpr std::uint64_t kFirstErrorCheck = 16; // frames; a variance of fewer samples says little
+
+/// One run's state: what has been done, and what the rules say of it.
+class Run {
+public:
+  Run(Integrator& integrator, const RenderJob& job, RenderObserver& observer)
+      : m_integrator(integrator), m_job(job), m_observer(observer),
+        m_pixels(static_cast<double>(integrator.settings().width) * integrator.settings().height) {}
+
+  /// Samples [m_frame, m_frame + batch) of every pixel, tile by tile. Returns the reason when a rule stops
+  /// it.
+  std::optional<StopReason> renderBatch() {
+    const std::uint32_t batch = nextBatch();
+    const std::uint32_t blocks = m_integrator.blockCount();
+    for (std::uint32_t first = 0; first < blocks;) {
+      const Tile tile{first, std::min(tileBlocks(batch), blocks - first)};
+      Stopwatch watch;
+      const std::uint64_t samples = m_integrator.renderTile(tile, m_frame, batch);
+      m_sizer.measured(samples, watch.seconds());
+      first += tile.blockCount;
+      m_frames = static_cast<double>(m_frame) + static_cast<double>(batch) * first / blocks;
+      report();
+      if (m_observer.stopRequested())
+        return StopReason::User;
+      if (m_job.seconds && m_clock.seconds() >= *m_job.seconds)
+        return StopReason::Time;
+    }
+    m_frame += batch;
+    m_frames = static_cast<double>(m_frame);
+    if (m_frame >= m_job.frames.value_or(kNoLimit))
+      return StopReason::Frames;
+    return errorReached() ? std::optional(StopReason::Error) : std::nullopt;
+  }
+
+  [[nodiscard]] RenderResult result(StopReason stop) const { return {stop, m_clock.seconds(), m_frames}; }
+
+private:
+  /// Batches never straddle a group of samples.
+  [[nodiscard]] std::uint32_t nextBatch() const {
+    const std::uint64_t toGroupEnd = shared::kSamplesPerGroup - m_frame % shared::kSamplesPerGroup;
+    const std::uint64_t wanted = std::clamp<std::uint64_t>(m_job.batch, 1, toGroupEnd);
+    return static_cast<std::uint32_t>(std::min(wanted, m_job.frames.value_or(kNoLimit) - m_frame));
+  }
+
+  [[nodiscard]] std::uint32_t tileBlocks(std::uint32_t batch) const {
+    if (m_job.tileBlocks > 0)
+      return m_job.tileBlocks;
+    const double left = m_job.seconds.value_or(1e9) - m_clock.seconds();
+    const std::uint64_t samples = m_sizer.nextWithin(left);
+    return static_cast<std::uint32_t>(
+        std::clamp<std::uint64_t>(samples / (std::uint64_t{shared::kBlockPixels} * batch), 1, kMostBlocks));
+  }
+
+  /// The film is looked at when the number of frames has grown by a half: often enough, and at little cost.
+  bool errorReached() {
+    if (!m_job.targetError || m_frame < m_nextErrorCheck)
+      return false;
+    m_nextErrorCheck = m_frame + std::max<std::uint64_t>(m_frame / 2, 1);
+    m_error = filmStatistics(m_integrator.film()).relativeError;
+    return *m_error <= *m_job.targetError;
+  }
+
+  void report() {
+    RenderProgress p;
+    p.frames = m_frames;
+    p.seconds = m_clock.seconds();
+    p.samplesPerSecond = m_frames * m_pixels / std::max(p.seconds, 1e-9);
+    p.relativeError = m_error;
+    const auto sooner = [&](double seconds) {
+      p.remainingSeconds = std::max(0.0, std::min(seconds, p.remainingSeconds.value_or(seconds)));
+    };
+    if (m_job.seconds)
+      sooner(*m_job.seconds - p.seconds);
+    if (m_job.frames)
+      sooner(p.seconds * (static_cast<double>(*m_job.frames) / m_frames - 1.0));
+    if (m_error) { // independent samples: the error falls with the square root of their number
+      const double factor = *m_error / *m_job.targetError;
+      sooner(p.seconds * (factor * factor - 1.0));
+    }
+    m_observer.onProgress(p);
+  }
+
+  static constexpr std::uint64_t kMostBlocks = 16384; // 2^20 slots: 96 MB of path states
+
+  Integrator& m_integrator;
+  const RenderJob& m_job;
+  RenderObserver& m_observer;
+  double m_pixels;
+  Stopwatch m_clock;
+  DispatchSizer m_sizer;
+  std::uint64_t m_frame = 0; // finished for every pixel
+  double m_frames = 0.0;
+  std::uint64_t m_nextErrorCheck = kFirstErrorCheck;
+  std::optional<double> m_error;
+};
+
+} // namespace
+
+const char* stopReasonName(StopReason reason) {
+  switch (reason) {
+  case StopReason::Frames:
+    return "frames";
+  case StopReason::Time:
+    return "time";
+  case StopReason::Error:
+    return "error";
+  case StopReason::User:
+    return "user";
+  case StopReason::Fault:
+    return "fault";
+  }
+  return "";
+}
+
+RenderResult renderUntil(Integrator& integrator, Film& film, const RenderJob& job, RenderObserver& observer) {
+  Run run(integrator, job, observer);
+  std::optional<StopReason> stop;
+  while (!stop)
+    stop = run.renderBatch();
+  const RenderResult result = run.result(*stop);
+  film = integrator.film();
+  return result;
+}
+
+} // namespace vkpt

@@ -1,0 +1,34 @@
+#pragma once
+// The render loop: the one place where iterations are dispatched until a rule stops them.
+
+#include "render/render_job.h"
+
+namespace vkpt {
+
+struct RenderProgress {
+  double frames = 0.0;                    ///< finished, as an average over the pixels
+  double seconds = 0.0;                   ///< of rendering so far
+  std::optional<double> remainingSeconds; ///< by the rule that will stop the run first, where that is known
+  double samplesPerSecond = 0.0;
+  std::optional<double> relativeError; ///< as of the last look at the film
+};
+
+/// Watches a run. The loop calls it after every unit of work; it may not touch the integrator.
+class RenderObserver {
+public:
+  virtual ~RenderObserver() = default;
+  virtual void onProgress(const RenderProgress&) {}
+  /// True ends the run after the unit of work that is under way.
+  virtual bool stopRequested() { return false; }
+};
+
+struct RenderResult {
+  StopReason stop = StopReason::Frames;
+  double seconds = 0.0;
+  double frames = 0.0; ///< samples per pixel; a whole number unless a batch was left unfinished
+};
+
+/// Renders until a rule of `job` is met, whichever is first; then leaves the film in `film`.
+RenderResult renderUntil(Integrator& integrator, Film& film, const RenderJob& job, RenderObserver& observer);
+
+} // namespace vkpt

@@ -1,0 +1,161 @@
+#include "scene/obj_reader.h"
+
+#include "scene/obj_check.h"
+#include "scene/statements.h"
+#include "scene/tinyobj.h"
+
+#include <cmath>
+#include <istream>
+#include <span>
+#include <unordered_map>
+
+#include <fmt/format.h>
+
+namespace vkpt {
+
+namespace {
+
+namespace tiny = ::vkpt_tinyobj;
+
+/// What the callbacks of tinyobjloader fill.
+class ObjBuilder {
+public:
+  explicit ObjBuilder(const SceneText& source) : m_source(source), m_buffer(source.text) {
+    m_mesh.materials.push_back({});
+  }
+
+  ObjMesh run(std::vector<std::string>& warnings) {
+    m_mesh.libraries = checkObj(m_source, warnings);
+    tiny::callback_t callbacks;
+    callbacks.vertex_cb = [](void* self, double x, double y, double z, double) {
+      static_cast<ObjBuilder*>(self)->m_mesh.positions.emplace_back(x, y, z);
+    };
+    callbacks.normal_cb = [](void* self, double x, double y, double z) {
+      static_cast<ObjBuilder*>(self)->addNormal({x, y, z});
+    };
+    callbacks.texcoord_cb = [](void* self, double, double, double) {
+      ++static_cast<ObjBuilder*>(self)->m_texcoordCount;
+    };
+    callbacks.index_cb = [](void* self, tiny::index_t* indices, int count) {
+      static_cast<ObjBuilder*>(self)->addFace({indices, static_cast<std::size_t>(count)});
+    };
+    callbacks.usemtl_cb = [](void* self, const char* name, int) {
+      static_cast<ObjBuilder*>(self)->useMaterial(name);
+    };
+    std::istream stream(&m_buffer);
+    // An exception thrown while a line is handed over is to arrive here.
+    stream.exceptions(std::ios::badbit);
+    tiny::LoadObjWithCallback(stream, callbacks, this);
+    checkRanges();
+    if (m_badNormalCount > 0) {
+      warnings.push_back(
+          fmt::format("{}: {} normal{} zero or not finite, the first here; faces with them get "
+                      "their geometric normal",
+                      SourceLocation{m_source.name, m_firstBadNormal}.text(), m_badNormalCount,
+                      m_badNormalCount == 1 ? " is" : "s are"));
+    }
+    return std::move(m_mesh);
+  }
+
+private:
+  [[nodiscard]] std::size_t line() const { return m_buffer.current().line; }
+
+  void addNormal(const Vec3d& n) {
+    // tinyobjloader reads `nan` and `inf` as 0.
+    const bool named = m_buffer.current().arguments().find_first_of("nNiI") != std::string_view::npos;
+    const double length = glm::length(n);
+    const bool good = !named && length > 0.0 && std::isfinite(length);
+    if (!good && m_badNormalCount++ == 0) {
+      m_firstBadNormal = line();
+    }
+    m_mesh.normals.push_back(good ? n / length : Vec3d(0.0));
+  }
+
+  /// OBJ counts from 1, and from -1 backwards; 0 is tinyobjloader's "left out".
+  std::uint32_t resolve(int index, std::size_t count, const char* kind) const {
+    if (index == 0) {
+      return kNoNormal;
+    }
+    if (index > 0) {
+      return static_cast<std::uint32_t>(index - 1);
+    }
+    const auto back = static_cast<std::size_t>(-static_cast<std::int64_t>(index));
+    if (back > count) {
+      throw SceneError({m_source.name, line()},
+                       fmt::format("{0} index {1} is out of range; {2} {0}{3} above it", kind, index, count,
+                                   count == 1 ? " stands" : "s stand"));
+    }
+    return static_cast<std::uint32_t>(count - back);
+  }
+
+  void addFace(std::span<const tiny::index_t> indices) {
+    m_mesh.faces.push_back({m_mesh.corners.size(), static_cast<std::uint32_t>(indices.size()), m_material,
+                            static_cast<std::uint32_t>(line())});
+    for (const tiny::index_t& i : indices) {
+      m_mesh.corners.push_back({resolve(i.vertex_index, m_mesh.positions.size(), "vertex"),
+                                resolve(i.normal_index, m_mesh.normals.size(), "normal")});
+      const std::uint32_t texcoord = resolve(i.texcoord_index, m_texcoordCount, "texture coordinate");
+      if (texcoord != kNoNormal && (m_largestTexcoord == kNoNormal || texcoord > m_largestTexcoord)) {
+        m_largestTexcoord = texcoord;
+        m_largestTexcoordLine = line();
+      }
+    }
+  }
+
+  void useMaterial(const char* name) {
+    const auto next = static_cast<std::uint32_t>(m_mesh.materials.size());
+    const auto [slot, isNew] = m_slots.emplace(name, next);
+    if (isNew) {
+      m_mesh.materials.push_back({name, line()});
+    }
+    m_material = slot->second;
+  }
+
+  /// Positive indices may point forward, so they are checked when all is known.
+  void checkRanges() const {
+    for (const ObjFace& face : m_mesh.faces) {
+      for (std::uint32_t i = 0; i < face.cornerCount; ++i) {
+        const ObjCorner& corner = m_mesh.corners[face.firstCorner + i];
+        checkRange(corner.vertex, m_mesh.positions.size(), "vertex", "vertices", face.line);
+        if (corner.normal != kNoNormal) {
+          checkRange(corner.normal, m_mesh.normals.size(), "normal", "normals", face.line);
+        }
+      }
+    }
+    if (m_largestTexcoord != kNoNormal) {
+      checkRange(m_largestTexcoord, m_texcoordCount, "texture coordinate", "texture coordinates",
+                 m_largestTexcoordLine);
+    }
+    if (m_mesh.faces.empty()) {
+      throw SceneError({m_source.name}, fmt::format("no faces ({} vertices); give at least one 'f' line",
+                                                    m_mesh.positions.size()));
+    }
+  }
+
+  void checkRange(std::uint32_t index, std::size_t count, const char* kind, const char* kinds,
+                  std::size_t where) const {
+    if (index >= count) {
+      throw SceneError({m_source.name, where}, fmt::format("{} index {} is out of range; the file has {} {}",
+                                                           kind, index + 1ULL, count, kinds));
+    }
+  }
+
+  const SceneText& m_source;
+  StatementBuffer m_buffer;
+  ObjMesh m_mesh;
+  std::unordered_map<std::string, std::uint32_t> m_slots;
+  std::uint32_t m_material = 0;
+  std::size_t m_texcoordCount = 0;
+  std::uint32_t m_largestTexcoord = kNoNormal;
+  std::size_t m_largestTexcoordLine = 0;
+  std::size_t m_badNormalCount = 0;
+  std::size_t m_firstBadNormal = 0;
+};
+
+} // namespace
+
+ObjMesh readObj(const SceneText& source, std::vector<std::string>& warnings) {
+  return ObjBuilder(source).run(warnings);
+}
+
+} // namespace vkpt

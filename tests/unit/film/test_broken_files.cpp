@@ -1,0 +1,143 @@
+// No file makes the readers do anything but read it or throw a SceneError that names it.
+
+#include "unit/film/film_fixtures.h"
+
+#include "film/codecs.h"
+
+#include <fmt/format.h>
+
+#include <sys/resource.h>
+
+namespace vkpt::test {
+namespace {
+
+enum class Outcome { Read, Refused };
+
+/// Anything but a SceneError that begins with the file's name comes through and fails the test.
+Outcome outcomeOf(const fs::path& path, film::ByteView bytes) {
+  writeBytes(path, bytes);
+  try {
+    const Image image = readImage(path);
+    EXPECT_GT(image.pixelCount(), 0U);
+    for (const Image::Channel& channel : image.channels)
+      EXPECT_EQ(channel.values.size(), image.pixelCount());
+    return Outcome::Read;
+  } catch (const SceneError& e) {
+    EXPECT_TRUE(std::string_view(e.what()).starts_with(path.string() + ": ")) << e.what();
+    EXPECT_EQ(std::string_view(e.what()).find('\n'), std::string_view::npos) << e.what();
+    return Outcome::Refused;
+  }
+}
+
+class BrokenFiles : public ::testing::TestWithParam<std::string_view> {
+protected:
+  [[nodiscard]] fs::path path() const { return m_folder / std::string("x").append(GetParam()); }
+  /// A right file with rows long enough for runs, and metadata.
+  [[nodiscard]] film::Bytes right() const {
+    Image image = noise(24, 17);
+    std::fill_n(image.channels[1].values.begin(), 200, 0.5F);
+    writeImage(path(), image, {}, {{"scene", "box"}, {"seed", std::int64_t{5}}});
+    return film::readWholeFile(path());
+  }
+
+private:
+  TemporaryFolder m_folder;
+};
+
+TEST_P(BrokenFiles, EveryTruncationIsRefused) {
+  const film::Bytes whole = right();
+  ASSERT_EQ(outcomeOf(path(), whole), Outcome::Read);
+  for (std::size_t length = 0; length < whole.size(); ++length)
+    ASSERT_EQ(outcomeOf(path(), film::ByteView(whole).first(length)), Outcome::Refused)
+        << length << " of " << whole.size();
+}
+
+TEST_P(BrokenFiles, ChangedBytesDoNoHarm) {
+  const film::Bytes whole = right();
+  auto random = randomOfTest();
+  int refused = 0;
+  constexpr int kRounds = 1500;
+  for (int round = 0; round < kRounds; ++round) {
+    film::Bytes bytes = whole;
+    const std::size_t reach =
+        round % 2 == 0 ? std::min<std::size_t>(bytes.size(), 400) : bytes.size(); // the header
+    for (std::uint64_t flips = 1 + random() % 4; flips > 0; --flips)
+      unsigned char& b = bytes[random() % reach];
+    b = static_cast<unsigned char>(b ^ (1 + random() % 255));
+    if (bytes == whole)
+      continue;
+    refused += outcomeOf(path(), bytes) == Outcome::Refused ? 1 : 0;
+  }
+  if (GetParam() == ".png")
+    EXPECT_EQ(refused, kRounds); // its CRCs see every change
+  else
+    EXPECT_GT(refused, 0);
+}
+
+TEST_P(BrokenFiles, GarbageIsRefused) {
+  const film::Bytes whole = right();
+  auto random = randomOfTest();
+  for (int round = 0; round < 400; ++round) {
+    film::Bytes bytes(random() % 2000);
+    for (unsigned char& b : bytes)
+      b = static_cast<unsigned char>(random());
+    ASSERT_EQ(outcomeOf(path(), bytes), Outcome::Refused);
+    const std::size_t kept = std::min({bytes.size(), whole.size(), static_cast<std::size_t>(random() % 64)});
+    std::copy_n(whole.begin(), kept, bytes.begin()); // behind a right beginning
+    outcomeOf(path(), bytes);
+  }
+}
+
+TEST_P(BrokenFiles, WhatIsNoFileIsRefused) {
+  const auto refusal = [&] { return messageOf<SceneError>([&] { readImage(path()); }); };
+  EXPECT_EQ(refusal(), path().string() + ": cannot be read: No such file or directory");
+  fs::create_directory(path());
+  EXPECT_EQ(refusal(), path().string() + ": cannot be read: Is a directory");
+}
+
+INSTANTIATE_TEST_SUITE_P(Formats, BrokenFiles, ::testing::ValuesIn(kExtensions),
+                         [](const auto& format) { return std::string(format.param.substr(1)); });
+
+TEST(ReadImage, AnUnknownFormatIsNamed) {
+  EXPECT_EQ(messageOf<SceneError>([] { readImage("x.tiff"); }),
+            "x.tiff: unknown image format; use .png, .exr, .hdr or .pfm");
+}
+
+/// The largest resident size that this process has had, in MiB.
+double peakMebibytes() {
+  rusage usage{};
+  ::getrusage(RUSAGE_SELF, &usage);
+  return static_cast<double>(usage.ru_maxrss) / 1024.0;
+}
+
+/// A size that the file cannot hold is refused before memory is taken for it: 100 MiB is far below any of
+/// them.
+TEST(ReadImage, AHugeSizeCostsNoMemory) {
+  const TemporaryFolder folder;
+  const double before = peakMebibytes();
+  for (const char* size :
+       {"2147483647 2147483647", "30000 30000", "1 2147483647", "99999999999 1", "0 5", "-3 4"}) {
+    const std::string pfm = fmt::format("PF\n{}\n-1.0\n", size);
+    EXPECT_EQ(outcomeOf(folder / "x.pfm", viewOf(pfm)), Outcome::Refused);
+    const std::string text(size);
+    const std::size_t space = text.find(' ');
+    const std::string hdr =
+        fmt::format("#?RADIANCE\n\n-Y {} +X {}\n\2\2\1\1", text.substr(0, space), text.substr(space + 1));
+    EXPECT_EQ(outcomeOf(folder / "x.hdr", viewOf(hdr)), Outcome::Refused);
+  }
+  const Image image = noise(8, 8);
+  writeImage(folder / "x.exr", image, {}, {});
+  film::Bytes exr = film::readWholeFile(folder / "x.exr");
+  const std::string_view name("dataWindow\0box2i\0\x10\0\0\0", 21);
+  const auto window = std::search(exr.begin(), exr.end(), name.begin(), name.end());
+  ASSERT_NE(window, exr.end());
+  const auto maxX = window + static_cast<std::ptrdiff_t>(name.size()) + 8;
+  for (const unsigned char top : {0x01, 0x3F, 0x7F}) { // 2^24 pixels a side and more
+    maxX[3] = maxX[7] = top;
+    EXPECT_EQ(outcomeOf(folder / "x.exr", exr), Outcome::Refused);
+  }
+  EXPECT_LT(peakMebibytes() - before, 100.0);
+}
+
+} // namespace
+} // namespace vkpt::test
