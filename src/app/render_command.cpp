@@ -112,7 +112,7 @@ ExitCode runRender(const RenderOptions& o) {
   report.seconds.build = watch.restart();
 
   Integrator integrator(context, deviceScene, scene, effects,
-                        {o.estimator, scene.width, scene.height, o.seed});
+                        {o.estimator, scene.width, scene.height, o.seed, {}, {}});
   integrator.warmUp();
   report.seconds.compile = watch.restart();
 

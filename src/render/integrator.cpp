@@ -33,7 +33,7 @@ gpu::SpecialisationMap specialise(const EffectSet& effects, const EstimatorSetti
   for (const auto& e : allEffects())
     constants[static_cast<std::uint32_t>(e.effect)] = effects.has(e.effect) ? 1U : 0U;
   constants[kConstantStackSize] = stack;
-  constants[kConstantRouletteMode] = static_cast<std::uint32_t>(estimator.roulette);
+  constants[kConstantRouletteMode] = static_cast<std::uint32_t>(settings.estimator.roulette);
   return constants;
 }
 
@@ -71,7 +71,8 @@ Integrator::Integrator(const gpu::Context& context, const DeviceScene& scene, co
                        const EffectSet& effects, const IntegratorSettings& settings)
     : m_context(context), m_settings(settings), m_constants(frameConstants(scene, source, settings)),
       m_bindings(context, kLayout, sizeof(Dispatch)),
-      m_path(context, spirv::kPath, m_bindings, specialise(effects, settings.estimator, scene.stackSize)),
+      m_path(context, settings.pathShader.empty() ? spirv::kPath : settings.pathShader, m_bindings,
+             specialise(effects, settings, scene.stackSize)),
       m_commit(context, spirv::kCommit, m_bindings, {}),
       m_constantsBuffer(context, "frame constants", sizeof(FrameConstants),
                         vk::BufferUsageFlagBits::eUniformBuffer, gpu::MemoryKind::Host),

@@ -35,6 +35,10 @@ struct IntegratorSettings {
   int width = 512;
   int height = 512;
   std::uint32_t seed = 0;
+  /// Another build of path.comp with constants of its own; empty: the shipped one. For tests that break the
+  /// estimator on purpose.
+  std::span<const std::uint32_t> pathShader;
+  gpu::SpecialisationMap extraConstants;
 };
 
 class Integrator {

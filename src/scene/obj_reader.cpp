@@ -17,6 +17,15 @@ namespace {
 
 namespace tiny = ::vkpt_tinyobj;
 
+/// What an index counts, for messages.
+struct Kind {
+  std::string_view one;
+  std::string_view many;
+};
+constexpr Kind kVertex{"vertex", "vertices"};
+constexpr Kind kNormal{"normal", "normals"};
+constexpr Kind kTexcoord{"texture coordinate", "texture coordinates"};
+
 /// What the callbacks of tinyobjloader fill.
 class ObjBuilder {
 public:
@@ -72,7 +81,7 @@ private:
   }
 
   /// OBJ counts from 1, and from -1 backwards; 0 is tinyobjloader's "left out".
-  std::uint32_t resolve(int index, std::size_t count, const char* kind) const {
+  std::uint32_t resolve(int index, std::size_t count, const Kind& kind) const {
     if (index == 0) {
       return kNoNormal;
     }
@@ -81,9 +90,10 @@ private:
     }
     const auto back = static_cast<std::size_t>(-static_cast<std::int64_t>(index));
     if (back > count) {
-      throw SceneError({m_source.name, line()},
-                       fmt::format("{0} index {1} is out of range; {2} {0}{3} above it", kind, index, count,
-                                   count == 1 ? " stands" : "s stand"));
+      throw SceneError(
+          {m_source.name, line()},
+          fmt::format("{} index {} is out of range; {} {} above it", kind.one, index, count,
+                      count == 1 ? std::string(kind.one) + " stands" : std::string(kind.many) + " stand"));
     }
     return static_cast<std::uint32_t>(count - back);
   }
@@ -92,9 +102,9 @@ private:
     m_mesh.faces.push_back({m_mesh.corners.size(), static_cast<std::uint32_t>(indices.size()), m_material,
                             static_cast<std::uint32_t>(line())});
     for (const tiny::index_t& i : indices) {
-      m_mesh.corners.push_back({resolve(i.vertex_index, m_mesh.positions.size(), "vertex"),
-                                resolve(i.normal_index, m_mesh.normals.size(), "normal")});
-      const std::uint32_t texcoord = resolve(i.texcoord_index, m_texcoordCount, "texture coordinate");
+      m_mesh.corners.push_back({resolve(i.vertex_index, m_mesh.positions.size(), kVertex),
+                                resolve(i.normal_index, m_mesh.normals.size(), kNormal)});
+      const std::uint32_t texcoord = resolve(i.texcoord_index, m_texcoordCount, kTexcoord);
       if (texcoord != kNoNormal && (m_largestTexcoord == kNoNormal || texcoord > m_largestTexcoord)) {
         m_largestTexcoord = texcoord;
         m_largestTexcoordLine = line();
@@ -116,15 +126,14 @@ private:
     for (const ObjFace& face : m_mesh.faces) {
       for (std::uint32_t i = 0; i < face.cornerCount; ++i) {
         const ObjCorner& corner = m_mesh.corners[face.firstCorner + i];
-        checkRange(corner.vertex, m_mesh.positions.size(), "vertex", "vertices", face.line);
+        checkRange(corner.vertex, m_mesh.positions.size(), kVertex, face.line);
         if (corner.normal != kNoNormal) {
-          checkRange(corner.normal, m_mesh.normals.size(), "normal", "normals", face.line);
+          checkRange(corner.normal, m_mesh.normals.size(), kNormal, face.line);
         }
       }
     }
     if (m_largestTexcoord != kNoNormal) {
-      checkRange(m_largestTexcoord, m_texcoordCount, "texture coordinate", "texture coordinates",
-                 m_largestTexcoordLine);
+      checkRange(m_largestTexcoord, m_texcoordCount, kTexcoord, m_largestTexcoordLine);
     }
     if (m_mesh.faces.empty()) {
       throw SceneError({m_source.name}, fmt::format("no faces ({} vertices); give at least one 'f' line",
@@ -132,11 +141,11 @@ private:
     }
   }
 
-  void checkRange(std::uint32_t index, std::size_t count, const char* kind, const char* kinds,
-                  std::size_t where) const {
+  void checkRange(std::uint32_t index, std::size_t count, const Kind& kind, std::size_t where) const {
     if (index >= count) {
-      throw SceneError({m_source.name, where}, fmt::format("{} index {} is out of range; the file has {} {}",
-                                                           kind, index + 1ULL, count, kinds));
+      throw SceneError({m_source.name, where},
+                       fmt::format("{} index {} is out of range; the file has {} {}", kind.one, index + 1ULL,
+                                   count, count == 1 ? kind.one : kind.many));
     }
   }
 

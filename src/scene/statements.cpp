@@ -19,6 +19,19 @@ std::string_view trim(std::string_view text) {
   return text.substr(first, text.find_last_not_of(kBlanks) - first + 1);
 }
 
+/// Corners may end in slashes (v/, v//). tinyobjloader would read the next corner's number behind them.
+void dropTrailingSlashes(std::string& face) {
+  std::string kept;
+  for (const char c : face) {
+    if (kBlanks.find(c) != std::string_view::npos) {
+      kept.resize(kept.find_last_not_of('/') + 1);
+    }
+    kept.append(1, c);
+  }
+  kept.resize(kept.find_last_not_of('/') + 1);
+  face = std::move(kept);
+}
+
 /// Names of files and materials may hold a '#'; numbers may not.
 bool holdsNumbers(std::string_view text) { return text.starts_with('v') || text.starts_with('f'); }
 
@@ -75,6 +88,9 @@ bool StatementReader::next(Statement& statement) {
       text.append(1, ' ').append(arguments);
     }
     statement.text = std::move(text);
+    if (statement.key() == "f") {
+      dropTrailingSlashes(statement.text);
+    }
     return true;
   }
   return false;

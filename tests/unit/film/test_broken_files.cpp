@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <sys/resource.h>
 
 namespace vkpt::test {
@@ -55,21 +56,23 @@ TEST_P(BrokenFiles, EveryTruncationIsRefused) {
 TEST_P(BrokenFiles, ChangedBytesDoNoHarm) {
   const film::Bytes whole = right();
   auto random = randomOfTest();
-  int refused = 0;
+  int refused = 0, tried = 0;
   constexpr int kRounds = 1500;
   for (int round = 0; round < kRounds; ++round) {
     film::Bytes bytes = whole;
     const std::size_t reach =
         round % 2 == 0 ? std::min<std::size_t>(bytes.size(), 400) : bytes.size(); // the header
-    for (std::uint64_t flips = 1 + random() % 4; flips > 0; --flips)
+    for (std::uint64_t changes = 1 + random() % 4; changes > 0; --changes) {
       unsigned char& b = bytes[random() % reach];
-    b = static_cast<unsigned char>(b ^ (1 + random() % 255));
-    if (bytes == whole)
+      b = static_cast<unsigned char>(b ^ (1 + random() % 255));
+    }
+    if (bytes == whole) // one change undid another
       continue;
+    ++tried;
     refused += outcomeOf(path(), bytes) == Outcome::Refused ? 1 : 0;
   }
   if (GetParam() == ".png")
-    EXPECT_EQ(refused, kRounds); // its CRCs see every change
+    EXPECT_EQ(refused, tried); // its CRCs see every change
   else
     EXPECT_GT(refused, 0);
 }
@@ -132,7 +135,7 @@ TEST(ReadImage, AHugeSizeCostsNoMemory) {
   const auto window = std::search(exr.begin(), exr.end(), name.begin(), name.end());
   ASSERT_NE(window, exr.end());
   const auto maxX = window + static_cast<std::ptrdiff_t>(name.size()) + 8;
-  for (const unsigned char top : {0x01, 0x3F, 0x7F}) { // 2^24 pixels a side and more
+  for (const auto top : std::array<unsigned char, 3>{0x01, 0x3F, 0x7F}) { // 2^24 pixels a side and more
     maxX[3] = maxX[7] = top;
     EXPECT_EQ(outcomeOf(folder / "x.exr", exr), Outcome::Refused);
   }

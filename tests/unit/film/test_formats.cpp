@@ -71,7 +71,8 @@ TEST(Formats, ExrAndPfmKeepEveryBit) {
   }
 }
 
-/// RGBE holds every channel within half a step of 2^(e - 8), and 2^(e - 1) is at most the largest channel.
+/// RGBE holds every channel within half a step, 2^(e - 9), and the largest channel is 2^(e - 1) or more; from
+/// 255.5 steps on it takes the next exponent, and its half step is 1/255.5 of it.
 TEST(Formats, HdrKeepsWithinHalfAStep) {
   const TemporaryFolder folder;
   for (const auto& [width, height] : kSizes) {
@@ -90,7 +91,7 @@ TEST(Formats, HdrKeepsWithinHalfAStep) {
       const float largest =
           std::max({image.channels[0].values[i], image.channels[1].values[i], image.channels[2].values[i]});
       for (std::size_t c = 0; c < 3; ++c)
-        ASSERT_LE(std::abs(back.channels[c].values[i] - image.channels[c].values[i]), largest / 256.0F);
+        ASSERT_LE(std::abs(back.channels[c].values[i] - image.channels[c].values[i]), largest / 255.5F);
     }
   }
 }
