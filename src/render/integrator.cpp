@@ -27,9 +27,9 @@ constexpr auto kLayout = std::to_array<gpu::BindingLayout>({
 });
 static_assert(kLayout.size() == kBindingCount);
 
-gpu::SpecialisationMap specialise(const EffectSet& effects, const EstimatorSettings& estimator,
+gpu::SpecialisationMap specialise(const EffectSet& effects, const IntegratorSettings& settings,
                                   std::uint32_t stack) {
-  gpu::SpecialisationMap constants;
+  gpu::SpecialisationMap constants = settings.extraConstants;
   for (const auto& e : allEffects())
     constants[static_cast<std::uint32_t>(e.effect)] = effects.has(e.effect) ? 1U : 0U;
   constants[kConstantStackSize] = stack;

@@ -19,17 +19,29 @@ std::string_view trim(std::string_view text) {
   return text.substr(first, text.find_last_not_of(kBlanks) - first + 1);
 }
 
+/// tinyobjloader knows two kinds of blank, ends its lines at a zero byte, and takes a second blank before a
+/// name for a part of it.
+void normalise(std::string& statement) {
+  std::ranges::replace_if(
+      statement, [](char c) { return kBlanks.find(c) != std::string_view::npos; }, ' ');
+  statement.resize(statement.find_last_not_of(' ') + 1);
+  const auto keyEnd = statement.find(' ');
+  if (keyEnd != std::string::npos) {
+    statement.erase(keyEnd + 1, statement.find_first_not_of(' ', keyEnd) - keyEnd - 1);
+  }
+}
+
 /// Corners may end in slashes (v/, v//). tinyobjloader would read the next corner's number behind them.
 void dropTrailingSlashes(std::string& face) {
-  std::string kept;
+  std::size_t kept = 0;
   for (const char c : face) {
-    if (kBlanks.find(c) != std::string_view::npos) {
-      kept.resize(kept.find_last_not_of('/') + 1);
+    while (c == ' ' && kept > 0 && face[kept - 1] == '/') {
+      --kept;
     }
-    kept.append(1, c);
+    face[kept++] = c;
   }
-  kept.resize(kept.find_last_not_of('/') + 1);
-  face = std::move(kept);
+  face.resize(kept);
+  face.resize(face.find_last_not_of('/') + 1);
 }
 
 /// Names of files and materials may hold a '#'; numbers may not.
@@ -78,16 +90,7 @@ bool StatementReader::next(Statement& statement) {
     if (holdsNumbers(statement.text)) {
       statement.text.resize(std::min(statement.text.find('#'), statement.text.size()));
     }
-    // tinyobjloader ends its lines at a zero byte and takes blanks before a name for a part of it.
-    std::replace(statement.text.begin(), statement.text.end(), '\0', ' ');
-    const std::string_view whole = trim(statement.text);
-    const auto keyEnd = std::min(whole.find_first_of(kBlanks), whole.size());
-    const std::string_view arguments = trim(whole.substr(keyEnd));
-    std::string text(whole.substr(0, keyEnd));
-    if (!arguments.empty()) {
-      text.append(1, ' ').append(arguments);
-    }
-    statement.text = std::move(text);
+    normalise(statement.text);
     if (statement.key() == "f") {
       dropTrailingSlashes(statement.text);
     }

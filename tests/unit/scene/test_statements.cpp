@@ -41,6 +41,12 @@ TEST(Statements, ZeroBytesAreBlanks) {
   EXPECT_EQ(linesOf(std::string_view("v 1\0 2 3\n\0\n", 11)), (Lines{"1:v 1  2 3"}));
 }
 
+TEST(Statements, BlanksOfAllKindsSeparateWords) { EXPECT_EQ(linesOf("v\t1\v2\f3"), (Lines{"1:v 1 2 3"})); }
+
+TEST(Statements, CornersLoseTrailingSlashes) {
+  EXPECT_EQ(linesOf("f 1/ 2// 3/4/\nmtllib a/\n"), (Lines{"1:f 1 2 3/4", "2:mtllib a/"}));
+}
+
 TEST(Numbers, WholeWordsOnly) {
   EXPECT_EQ(parseNumber("-1.5e2"), -150.0);
   EXPECT_EQ(parseNumber("+.5"), 0.5);
