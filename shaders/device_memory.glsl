@@ -4,7 +4,7 @@
 
 #define VKPT_DECLARE_EFFECT(id, Name, name, what) layout(constant_id = id) const bool kEffect##Name = true;
 VKPT_EFFECTS(VKPT_DECLARE_EFFECT)
-layout(constant_id = 64) const int kStackSize = 64; // kConstantStackSize
+layout(constant_id = 64) const uint kStackDepth = kMaxStackDepth; // kConstantStackDepth
 layout(constant_id = 65) const uint kRouletteMode = 1u; // kConstantRouletteMode
 
 layout(set = 0, binding = kBindingFrame, std140) uniform FrameBlock { FrameConstants frame; };
@@ -79,29 +79,46 @@ float inverseHeight() { return 1.0 / float(frame.height); }
 
 layout(set = 0, binding = kBindingPaths, std430) buffer PathBlock { uvec4 pathPlanes[]; };
 layout(set = 0, binding = kBindingCounters, std430) buffer CounterBlock { Counters counters; };
+layout(set = 0, binding = kBindingSlots, std430) buffer SlotBlock { uint slotLists[]; };
 layout(set = 0, binding = kBindingFilm, std430) buffer FilmBlock { uint values[]; }
 film[kFilmPlanes];
 
 layout(push_constant) uniform DispatchBlock { Dispatch job; };
 
 // --- what the library reports, per lane, summed up at the end of the dispatch ---
-uint g_steps = 0u; // iterations of all loops so far: the same for every lane that is still at work
+uint g_steps = 0u; // traversal steps so far: the same for every lane that is still at work
 uint g_raysClosest = 0u;
 uint g_raysShadow = 0u;
 uint g_cutTraversals = 0u;
-uint g_stackOverflows = 0u;
 uint g_cappedPaths = 0u;
 uint g_nonFinite = 0u;
 
-void reportTraversal(uint steps, bool cut, bool overflow) {
+void reportTraversal(uint steps, bool cut) {
   g_steps += subgroupMaximum(steps);
   g_cutTraversals += cut ? 1u : 0u;
-  g_stackOverflows += overflow ? 1u : 0u;
 }
 void reportClosestRay() { g_raysClosest += 1u; }
 void reportShadowRay(bool traced) { g_raysShadow += traced ? 1u : 0u; }
 void reportCappedPath() { g_cappedPaths += 1u; }
 void reportNonFinite() { g_nonFinite += 1u; }
+
+// carried: the lane's path has begun and is saved for the next dispatch.
+void addCounters(bool carried) {
+  uint carriedPaths = subgroupAdd(carried ? 1u : 0u);
+  uint raysClosest = subgroupAdd(g_raysClosest);
+  uint raysShadow = subgroupAdd(g_raysShadow);
+  uint cappedPaths = subgroupAdd(g_cappedPaths);
+  uint nonFinite = subgroupAdd(g_nonFinite);
+  uint cutTraversals = subgroupAdd(g_cutTraversals);
+  if (subgroupElect()) {
+    atomicAdd(counters.carriedPaths, carriedPaths);
+    atomicAdd(counters.raysClosest, raysClosest);
+    atomicAdd(counters.raysShadow, raysShadow);
+    atomicAdd(counters.cappedPaths, cappedPaths);
+    atomicAdd(counters.nonFinite, nonFinite);
+    atomicAdd(counters.cutTraversal, cutTraversals);
+  }
+}
 
 // --- which pixel a lane works on ---
 

@@ -1,8 +1,8 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 // One iteration of path tracing for a tile: a batch of samples for every pixel of it. A lane whose path has ended
-// starts its pixel's next sample, so that no lane waits for the longest path. What does not fit into the
-// iteration budget is saved and goes on in the next dispatch.
+// starts its pixel's next sample, so that no lane waits for the longest path. What does not fit into the step
+// budget is saved, listed, and goes on in the next dispatch.
 
 #include "shared/language.h"
 #include "shared/structs.h"
@@ -13,98 +13,105 @@
 
 layout(local_size_x = 64) in; // kBlockPixels
 
-void savePath(uint slot, Path path, uint done, vec3 mean, vec3 deviations) {
-  uint n = job.slotCount;
-  pathPlanes[slot] = uvec4(floatBitsToUint(path.ray.o), done);
-  pathPlanes[slot + n] = uvec4(floatBitsToUint(path.ray.d), path.ray.exclude);
-  pathPlanes[slot + 2u * n] = uvec4(floatBitsToUint(path.beta), path.bounce);
-  pathPlanes[slot + 3u * n] = uvec4(floatBitsToUint(path.L), path.emit ? 1u : 0u);
-  pathPlanes[slot + 4u * n] = uvec4(floatBitsToUint(mean), 0u);
-  pathPlanes[slot + 5u * n] = uvec4(floatBitsToUint(deviations), 0u);
+// What a lane works on: one pixel's samples of this batch.
+struct Work {
+  uint slot;
+  uint pixel;
+  uint x;
+  uint y;
+  uint done;       // samples finished
+  vec3 mean;       // of the open group of samples, those of earlier batches included
+  vec3 deviations; // sum of squared deviations from it
+};
+
+uint randomKey() { return frame.seed ^ (job.firstSampleHigh * 0x9E3779B9u); }
+
+Path nextPath(Work work) { return cameraPath(work.pixel, work.x, work.y, job.firstSample + work.done, randomKey()); }
+
+vec3 filmColour(uint plane, uint pixel) {
+  return vec3(uintBitsToFloat(film[plane].values[pixel]), uintBitsToFloat(film[plane + 1u].values[pixel]),
+              uintBitsToFloat(film[plane + 2u].values[pixel]));
+}
+
+// Plane p of the saved path states.
+uint statePlane(uint p, uint slot) { return p * job.slotCount + slot; }
+
+void savePath(Work work, Path path) {
+  pathPlanes[statePlane(0u, work.slot)] = uvec4(floatBitsToUint(path.ray.o), work.done);
+  pathPlanes[statePlane(1u, work.slot)] = uvec4(floatBitsToUint(path.ray.d), path.ray.exclude);
+  pathPlanes[statePlane(2u, work.slot)] = uvec4(floatBitsToUint(path.beta), path.bounce);
+  pathPlanes[statePlane(3u, work.slot)] = uvec4(floatBitsToUint(path.L), path.emit ? 1u : 0u);
+  pathPlanes[statePlane(4u, work.slot)] = uvec4(floatBitsToUint(work.mean), 0u);
+  pathPlanes[statePlane(5u, work.slot)] = uvec4(floatBitsToUint(work.deviations), 0u);
+}
+
+void loadPath(inout Work work, inout Path path) {
+  uvec4 a = pathPlanes[statePlane(0u, work.slot)];
+  uvec4 b = pathPlanes[statePlane(1u, work.slot)];
+  uvec4 c = pathPlanes[statePlane(2u, work.slot)];
+  uvec4 d = pathPlanes[statePlane(3u, work.slot)];
+  path.ray.o = uintBitsToFloat(a.xyz);
+  work.done = a.w;
+  path.ray.d = uintBitsToFloat(b.xyz);
+  path.ray.exclude = b.w;
+  path.beta = MUTATE(CarriedThroughputLost, uintBitsToFloat(c.xyz), vec3(1.0));
+  path.bounce = c.w;
+  path.L = uintBitsToFloat(d.xyz);
+  path.emit = MUTATE(CarriedEmitLost, d.w != 0u, true);
+  path.sampleLow = job.firstSample + work.done;
+  work.mean = uintBitsToFloat(pathPlanes[statePlane(4u, work.slot)].xyz);
+  work.deviations = uintBitsToFloat(pathPlanes[statePlane(5u, work.slot)].xyz);
+}
+
+// Returns whether this lane has work at all.
+bool startWork(out Work work, out Path path) {
+  uint lane = gl_GlobalInvocationID.x;
+  bool fresh = job.fresh != 0u;
+  bool any = fresh || lane < job.listed;
+  work.slot = fresh || !any ? lane : slotLists[(1u - job.listTurn) * job.slotCount + lane];
+  any = pixelOfSlot(work.slot, work.x, work.y) && any;
+  work.pixel = work.y * frame.width + work.x;
+  work.done = 0u;
+  work.mean = vec3(0.0);
+  work.deviations = vec3(0.0);
+  path = nextPath(work);
+  if (any && !fresh) loadPath(work, path);
+  if (any && fresh && job.firstSample % kSamplesPerGroup != 0u) {
+    work.mean = filmColour(kFilmOpenMean, work.pixel);
+    work.deviations = filmColour(kFilmOpenDeviations, work.pixel);
+  }
+  return any && work.done < job.sampleCount;
+}
+
+void finishSample(inout Work work, vec3 L) {
+  if (!(isFinite(L.x) && isFinite(L.y) && isFinite(L.z))) {
+    reportNonFinite();
+    L = vec3(0.0); // counts as a sample of 0; the fault is reported
+  }
+  work.done += 1u;
+  float n = float(job.firstSample % kSamplesPerGroup + work.done);
+  addSample(work.mean, work.deviations, n, L);
 }
 
 void main() {
-  uint slot = gl_GlobalInvocationID.x;
-  uint x;
-  uint y;
-  bool inImage = pixelOfSlot(slot, x, y);
-  uint pixel = y * frame.width + x;
-  // Within a group of samples the running mean is kept in float; it goes on where the last batch stopped.
-  uint before = job.firstSample % kSamplesPerGroup;
-  uint key = frame.seed ^ (job.firstSampleHigh * 0x9E3779B9u);
-
+  Work work;
   Path path;
-  uint done;
-  vec3 mean;
-  vec3 deviations;
-  if (job.fresh != 0u) {
-    done = inImage ? 0u : job.sampleCount;
-    path = cameraPath(pixel, x, y, job.firstSample, key);
-    mean = vec3(0.0);
-    deviations = vec3(0.0);
-    if (inImage && before != 0u) {
-      mean = vec3(uintBitsToFloat(film[kFilmOpenMean].values[pixel]), uintBitsToFloat(film[kFilmOpenMean + 1u].values[pixel]),
-                  uintBitsToFloat(film[kFilmOpenMean + 2u].values[pixel]));
-      deviations = vec3(uintBitsToFloat(film[kFilmOpenDeviations].values[pixel]), uintBitsToFloat(film[kFilmOpenDeviations + 1u].values[pixel]),
-                  uintBitsToFloat(film[kFilmOpenDeviations + 2u].values[pixel]));
-    }
-  } else {
-    uint n = job.slotCount;
-    uvec4 a = pathPlanes[slot];
-    uvec4 b = pathPlanes[slot + n];
-    uvec4 c = pathPlanes[slot + 2u * n];
-    uvec4 d = pathPlanes[slot + 3u * n];
-    path.ray.o = uintBitsToFloat(a.xyz);
-    done = a.w;
-    path.ray.d = uintBitsToFloat(b.xyz);
-    path.ray.exclude = b.w;
-    path.beta = uintBitsToFloat(c.xyz);
-    path.bounce = c.w;
-    path.L = uintBitsToFloat(d.xyz);
-    path.emit = d.w != 0u;
-    path.pixel = pixel;
-    path.sampleLow = job.firstSample + done;
-    path.key = key;
-    mean = uintBitsToFloat(pathPlanes[slot + 4u * n].xyz);
-    deviations = uintBitsToFloat(pathPlanes[slot + 5u * n].xyz);
-  }
-
-  bool working = done < job.sampleCount;
+  bool working = startWork(work, path);
+  bool started = working;
   if (working) {
     do {
-      bool goesOn = Li(path);
-      if (!goesOn) {
-        vec3 L = path.L;
-        if (!(isFinite(L.x) && isFinite(L.y) && isFinite(L.z))) {
-          reportNonFinite();
-          L = vec3(0.0); // counts as a sample of 0; the fault is reported
-        }
-        done += 1u;
-        addSample(mean, deviations, float(before + done), L);
-        path = cameraPath(pixel, x, y, job.firstSample + done, key);
+      if (!Li(path)) {
+        finishSample(work, path.L);
+        path = nextPath(work);
       }
       g_steps += 1u;
-      working = done < job.sampleCount;
-    } while (working && g_steps < kIterationBudget);
+      working = work.done < job.sampleCount;
+    } while (working && g_steps < kStepBudget);
   }
-  savePath(slot, path, done, mean, deviations);
-
-  uint unfinished = subgroupAdd(working ? 1u : 0u);
-  uint carried = subgroupAdd(working && path.bounce > 0u ? 1u : 0u);
-  uint raysClosest = subgroupAdd(g_raysClosest);
-  uint raysShadow = subgroupAdd(g_raysShadow);
-  uint capped = subgroupAdd(g_cappedPaths);
-  uint nonFinite = subgroupAdd(g_nonFinite);
-  uint cut = subgroupAdd(g_cutTraversals);
-  uint overflow = subgroupAdd(g_stackOverflows);
-  if (subgroupElect()) {
-    atomicAdd(counters.unfinished, unfinished);
-    atomicAdd(counters.carriedPaths, carried);
-    atomicAdd(counters.raysClosest, raysClosest);
-    atomicAdd(counters.raysShadow, raysShadow);
-    atomicAdd(counters.cappedPaths, capped);
-    atomicAdd(counters.nonFinite, nonFinite);
-    atomicAdd(counters.cutTraversal, cut);
-    atomicAdd(counters.stackOverflow, overflow);
+  if (started) savePath(work, path);
+  if (working) {
+    uint place = atomicAdd(counters.unfinished, 1u);
+    slotLists[job.listTurn * job.slotCount + place] = work.slot;
   }
+  addCounters(working && path.bounce > 0u);
 }

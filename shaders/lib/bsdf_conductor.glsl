@@ -5,8 +5,9 @@
 Float fresnelConductor(Float cosI, Float eta, Float k) {
   Float cos2 = cosI * cosI;
   Float sin2 = 1.0 - cos2;
-  Float t0 = eta * eta - k * k - sin2;
-  Float a2b2 = sqrt(t0 * t0 + 4.0 * eta * eta * k * k);
+  Float k2 = MUTATE(ConductorAbsorptionDropped, k * k, 0.0);
+  Float t0 = eta * eta - k2 - sin2;
+  Float a2b2 = sqrt(t0 * t0 + 4.0 * eta * eta * k2);
   Float a = sqrt(max(0.5 * (a2b2 + t0), 0.0));
   Float rs = (a2b2 + cos2 - 2.0 * a * cosI) / (a2b2 + cos2 + 2.0 * a * cosI);
   Float t3 = cos2 * a2b2 + sin2 * sin2;

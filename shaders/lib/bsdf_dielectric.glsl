@@ -8,7 +8,7 @@ Float fresnelDielectric(Float cosI, Float eta, OUT(Float) cosT) {
   cosT = sqrt(max(1.0 - sin2T, 0.0));
   Float rs = (cosI - eta * cosT) / (cosI + eta * cosT);
   Float rp = (eta * cosI - cosT) / (eta * cosI + cosT);
-  Float f = sin2T >= 1.0 ? 1.0 : 0.5 * (rs * rs + rp * rp);
+  Float f = sin2T >= 1.0 ? 1.0 : MUTATE(FresnelOnePolarisation, 0.5 * (rs * rs + rp * rp), rs * rs);
   return eta == 1.0 ? 0.0 : f;
 }
 
@@ -17,7 +17,7 @@ Vec3 dielectricDirection(Vec3 wo, Vec3 n, Float eta, Float u, OUT(bool) reflecte
   Float cosI = min(dot(n, wo), 1.0);
   Float cosT;
   Float f = fresnelDielectric(cosI, eta, cosT);
-  reflected = u < f;
+  reflected = MUTATE(AlwaysReflects, u < MUTATE(NeverReflects, f, floor(f)), true);
   Vec3 reflection = n * (2.0 * cosI) - wo;
   Vec3 refraction = n * (cosI / eta - cosT) - wo / eta;
   return reflected ? reflection : refraction;
@@ -25,7 +25,8 @@ Vec3 dielectricDirection(Vec3 wo, Vec3 n, Float eta, Float u, OUT(bool) reflecte
 
 // front: the ray comes from the side the normal points to, the index `m.ior` lies behind.
 BsdfSample sampleDielectric(Material m, Vec3 wo, Vec3 n, Vec3 ng, bool front, Float u) {
-  Float eta = front ? m.ior : 1.0 / m.ior;
+  bool entering = MUTATE(GlassAlwaysEntered, front, true);
+  Float eta = MUTATE(EtaInverted, entering, !entering) ? m.ior : 1.0 / m.ior;
   BsdfSample s;
   bool reflected;
   s.wi = dielectricDirection(wo, n, eta, u, reflected);

@@ -1,6 +1,6 @@
 // Lambertian reflection: f = albedo / pi; sampled in proportion to the cosine.
 
-Vec3 diffuseF(Material m) { return m.reflectance * kInvPi; }
+Vec3 diffuseF(Material m) { return m.reflectance * MUTATE(InversePiDropped, kInvPi, 1.0); }
 
 BsdfSample sampleDiffuse(Material m, Vec3 n, Vec3 ng, Vec2 u) {
   BsdfSample s;

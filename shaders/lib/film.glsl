@@ -5,8 +5,8 @@
 // make them negative: the new mean lies between the old one and L. Welford 1962, Technometrics 4(3).
 void addSample(INOUT(Vec3) mean, INOUT(Vec3) deviations, Float n, Vec3 L) {
   precise Vec3 delta = L - mean;
-  precise Vec3 next = n == 1.0 ? L : mean + delta / n;
-  precise Vec3 increment = delta * (L - next);
+  precise Vec3 next = n == 1.0 ? L : mean + delta / MUTATE(TooFewSamplesInMean, n, n + 1.0);
+  precise Vec3 increment = delta * MUTATE(DeviationsFromOldMean, L - next, delta);
   deviations += n == 1.0 ? Vec3(0.0) : increment;
   mean = next;
 }
@@ -108,8 +108,9 @@ void mergeGroup(INOUT(Pair) mean, INOUT(Pair) deviations, uint nA, Float meanB, 
     return;
   }
   Pair delta = addPairs(makePair(meanB, 0.0), negatePair(mean));
-  Pair share = dividePairs(pairFromCount(nB), pairFromCount(nA + nB)); // nB / n
+  Pair share = dividePairs(pairFromCount(nB), pairFromCount(MUTATE(MergeMeanUnweighted, nA + nB, 2u * nB))); // nB / n
   Pair between = multiplyPairs(multiplyPairs(delta, delta), multiplyPairs(share, pairFromCount(nA)));
-  mean = addPairs(mean, multiplyPairs(delta, share));
-  deviations = addPairs(deviations, addPairs(makePair(deviationsB, 0.0), between));
+  Pair next = addPairs(mean, multiplyPairs(delta, share));
+  mean = makePair(next.high, MUTATE(MergeLowDropped, next.low, 0.0));
+  deviations = addPairs(deviations, MUTATE(MergeBetweenDropped, addPairs(makePair(deviationsB, 0.0), between), makePair(deviationsB, 0.0)));
 }

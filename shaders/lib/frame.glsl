@@ -27,14 +27,14 @@ Vec3 toWorld(Frame f, Vec3 v) { return f.s * v.x + f.t * v.y + f.n * v.z; }
 
 // Density cos(theta) / pi over solid angle; z > 0 since u.x < 1.
 Vec3 squareToCosineHemisphere(Vec2 u) {
-  Float r = sqrt(u.x);
+  Float r = sqrt(MUTATE(UniformHemisphere, u.x, u.x * (2.0 - u.x)));
   Float phi = 2.0 * kPi * u.y;
-  return Vec3(r * cos(phi), r * sin(phi), sqrt(1.0 - u.x));
+  return Vec3(r * cos(phi), r * sin(phi), MUTATE(UniformHemisphere, sqrt(1.0 - u.x), 1.0 - u.x));
 }
 
 // Barycentric coordinates (b1, b2), uniform over a triangle's area.
 Vec2 squareToTriangle(Vec2 u) {
-  Float r = sqrt(u.x);
+  Float r = MUTATE(TriangleWarp, sqrt(u.x), u.x);
   return Vec2(r * (1.0 - u.y), r * u.y);
 }
 

@@ -4,6 +4,7 @@
 #include "frame.glsl"
 #include "ray.glsl"
 #include "triangle.glsl"
+#include "stack.glsl"
 #include "traverse.glsl"
 #include "bsdf.glsl"
 #include "bsdf_diffuse.glsl"

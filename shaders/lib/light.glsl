@@ -15,7 +15,7 @@ LightSample sampleLight(UVec4 random) {
   uint index = 0u;
   if (kEffectManyLights) {
     uint row = multiplyHigh(random.x, lightCount());
-    index = toUnit(random.y) < lightRecord(row).threshold ? row : lightRecord(row).alias;
+    index = MUTATE(AliasIgnored, toUnit(random.y) < lightRecord(row).threshold, true) ? row : lightRecord(row).alias;
   }
   LightRecord light = lightRecord(index);
   Vec2 b = squareToTriangle(Vec2(toUnit(random.z), toUnit(random.w)));
@@ -26,7 +26,7 @@ LightSample sampleLight(UVec4 random) {
   s.error = positionError(light.v0, light.v1, light.v2);
   s.ng = n / doubleArea;
   s.L = light.radiance;
-  s.pdf_A = light.probability * 2.0 / doubleArea;
+  s.pdf_A = MUTATE(LightChoiceDropped, light.probability, 1.0) * MUTATE(LightAreaDropped, 2.0 / doubleArea, 1.0);
   s.triangle = light.triangle;
   return s;
 }

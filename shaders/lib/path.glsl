@@ -66,7 +66,7 @@ Vec3 sampleDirect(Surface s, UVec4 random) {
   Vec3 end = offsetRayOrigin(light.p, light.error, light.ng, -toLight);
   Float r2 = dot(toLight, toLight);
   Vec3 wi = toLight / sqrt(r2);
-  Float cosLight = -dot(light.ng, wi);
+  Float cosLight = MUTATE(BackSampled, -dot(light.ng, wi), abs(dot(light.ng, wi)));
   Float cosSurface = dot(s.n, wi);
   bool facing = cosLight > 0.0 && cosSurface > 0.0 && dot(s.ng, wi) > 0.0 && s.m.bsdf == kBsdfDiffuse;
   Vec3 span = end - origin;
@@ -75,8 +75,9 @@ Vec3 sampleDirect(Surface s, UVec4 random) {
   shadow.o = origin;
   shadow.d = span / distance;
   shadow.exclude = kNoTriangle;
-  bool visible = facing && !traceOccluded(shadow, facing ? distance : 0.0, light.triangle);
-  return visible ? diffuseF(s.m) * light.L * (cosSurface * cosLight / (r2 * light.pdf_A)) : Vec3(0.0);
+  bool visible = facing && MUTATE(OcclusionIgnored, !traceOccluded(shadow, facing ? distance : 0.0, light.triangle), true);
+  Float cosines = MUTATE(SurfaceCosineDropped, cosSurface, 1.0) * MUTATE(LightCosineDropped, cosLight, 1.0);
+  return visible ? diffuseF(s.m) * light.L * (cosines / (MUTATE(DistanceNotSquared, r2, sqrt(r2)) * light.pdf_A)) : Vec3(0.0);
 }
 
 // Extends the path by one vertex. Returns whether it goes on.
@@ -85,27 +86,27 @@ bool Li(INOUT(Path) path) {
   Vec3 wo = -path.ray.d;
   bool goesOn = hit.triangle != kNoTriangle;
   if (!goesOn) {
-    if (kEffectBackground) path.L += path.beta * background();
+    if (kEffectBackground) path.L += path.beta * MUTATE(BackgroundTwice, background(), 2.0 * background());
   } else {
     Surface s = surfaceAt(hit, wo);
 
     // EMISSION: L += beta Le, unless the vertex before has sampled the emitters itself.
-    if (kEffectAreaLights && path.emit && s.front) path.L += path.beta * s.m.emission;
-    if (kEffectBounceLimit && path.bounce >= maxBounces()) goesOn = false;
+    if (kEffectAreaLights && path.emit && MUTATE(BackEmits, s.front, true)) path.L += MUTATE(ThroughputDropped, path.beta, Vec3(1.0)) * s.m.emission;
+    if (kEffectBounceLimit && path.bounce >= MUTATE(BounceLimitOffByOne, maxBounces(), maxBounces() + 1u)) goesOn = false;
 
     // DIRECT: next event estimation at diffuse surfaces.
     if (kEffectLightSampling && goesOn) {
-      path.L += path.beta * sampleDirect(s, randomBlock(path.pixel, path.sampleLow, blockLight(path.bounce), path.key));
+      path.L += MUTATE(DirectThroughputDropped, path.beta, Vec3(1.0)) * sampleDirect(s, randomBlock(path.pixel, path.sampleLow, blockLight(path.bounce), path.key));
     }
 
     // INDIRECT: one direction from the BSDF; the emission it finds counts if no light sample could have found it.
     UVec4 random = randomBlock(path.pixel, path.sampleLow, blockBsdf(path.bounce), path.key);
     BsdfSample b = sampleBsdf(s, wo, random);
     Vec3 beta = path.beta * b.weight;
-    path.emit = b.specular || !kEffectLightSampling;
+    path.emit = MUTATE(EmissionTwice, b.specular || !kEffectLightSampling, true);
     path.ray.o = offsetRayOrigin(s.p, s.error, s.ng, b.wi);
     path.ray.d = b.wi;
-    path.ray.exclude = hit.triangle;
+    path.ray.exclude = MUTATE(ExcludeDropped, hit.triangle, kNoTriangle);
     path.bounce += 1u;
 
     // ROULETTE: survivors stand for those that ended. The probability has no cap below 1, which would give
@@ -115,9 +116,9 @@ bool Li(INOUT(Path) path) {
       survivalProbability =
           min(1.0, kRouletteMode == kRouletteAlbedo ? meanComponent(b.weight) : maxComponent(beta));
     }
-    goesOn = goesOn && maxComponent(beta) > 0.0 && toUnit(random.w) < survivalProbability;
-    path.beta = beta / survivalProbability;
-    if (kEffectBounceLimit && path.bounce >= maxBounces() && !path.emit) goesOn = false;
+    goesOn = goesOn && maxComponent(beta) > 0.0 && toUnit(random.w) < MUTATE(RouletteCapped, survivalProbability, min(survivalProbability, 0.5));
+    path.beta = beta / MUTATE(SurvivalNotDivided, survivalProbability, 1.0);
+    if (kEffectBounceLimit && path.bounce >= MUTATE(BounceLimitOffByOne, maxBounces(), maxBounces() + 1u) && !path.emit) goesOn = false;
     if (goesOn && path.bounce >= kBounceCap) {
       reportCappedPath();
       goesOn = false;

@@ -27,6 +27,6 @@ Vec3 positionError(Vec3 v0, Vec3 v1, Vec3 v2) {
 // Moves p off its surface to the side that w points to, far enough that no rounding puts it on the other side.
 // ng: unit geometric normal; error: from positionError().
 Vec3 offsetRayOrigin(Vec3 p, Vec3 error, Vec3 ng, Vec3 w) {
-  Float distance = dot(abs(ng), error);
-  return p + ng * (dot(ng, w) < 0.0 ? -distance : distance);
+  Float distance = MUTATE(OffsetDropped, dot(abs(ng), error), 0.0);
+  return p + ng * (MUTATE(OffsetInward, dot(ng, w) < 0.0, dot(ng, w) >= 0.0) ? -distance : distance);
 }

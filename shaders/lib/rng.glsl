@@ -24,9 +24,9 @@ Float toUnit(uint bits) { return Float(bits >> 8u) * 5.9604644775390625e-8; }
 
 // Blocks of random numbers a path uses: 0 the camera; 1 + 2 * bounce lights, 2 + 2 * bounce BSDF and roulette.
 CONSTANT uint kBlockCamera = 0u;
-uint blockLight(uint bounce) { return 1u + 2u * bounce; }
-uint blockBsdf(uint bounce) { return 2u + 2u * bounce; }
+uint blockLight(uint bounce) { return MUTATE(LightBlockReused, 1u, 2u) + 2u * bounce; }
+uint blockBsdf(uint bounce) { return MUTATE(NextLightBlockReused, 2u, 3u) + 2u * bounce; }
 
 UVec4 randomBlock(uint pixel, uint sampleLow, uint block, uint key) {
-  return pcg4d(UVec4(pixel, sampleLow, block, key));
+  return pcg4d(UVec4(pixel, MUTATE(SampleIgnored, sampleLow, 0u), block, key));
 }

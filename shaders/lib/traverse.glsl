@@ -1,11 +1,12 @@
 // Traversal of the four-wide BVH, one ray a lane.
 //
-// Both sides of a branch are paid for on lavapipe, and a loop is left only at its end: so one loop, tested at the
-// bottom, whose iteration takes one step in a node and one triangle of a leaf. A lane's own count of its steps
-// is then also what its subgroup spends, at least for the slowest lane.
+// Both sides of a branch are paid for on lavapipe, and a loop is left only at its end: so loops are tested at the
+// bottom, and nodes and triangles have a loop each, since neither should be paid for while the other is worked on.
+// A step is a few nodes, one leaf, one pop; the inner loops are bounded, so that counting steps bounds them all.
 
 CONSTANT uint kLeafBit = 0x80000000u;
-CONSTANT uint kTraversalDone = 0x7FFFFFFFu; // no node has this index
+CONSTANT uint kTraversalDone = 0x7FFFFFFFu; // no node has this index, nor the next
+CONSTANT uint kTraversalPop = 0x7FFFFFFEu;
 CONSTANT uint kMiss = 0xFFFFFFFFu;
 
 // What is constant for a ray in every node.
@@ -38,8 +39,8 @@ UVec4 intersectChildren(uint node, SlabRay slab, Vec3 o, Float tMax) {
   Vec4 farX = (nodeBounds(node, slab.nearX ^ 1u) - o.x) * slab.inverse.x;
   Vec4 farY = (nodeBounds(node, slab.nearY ^ 1u) - o.y) * slab.inverse.y;
   Vec4 farZ = (nodeBounds(node, slab.nearZ ^ 1u) - o.z) * slab.inverse.z;
-  Vec4 near = max(max(nearX, nearY), max(nearZ, Vec4(0.0)));
-  Vec4 far = min(min(farX, farY), min(farZ, Vec4(tMax))) * (1.0 + 4.0 * kEpsilon);
+  Vec4 near = slabMax(slabMax(nearX, nearY), slabMax(nearZ, Vec4(0.0)));
+  Vec4 far = slabMin(slabMin(farX, farY), slabMin(farZ, Vec4(tMax))) * (1.0 + 4.0 * kEpsilon);
   UVec4 keys;
   keys.x = near.x <= far.x ? (orderKey(near.x) & ~3u) : kMiss;
   keys.y = near.y <= far.y ? ((orderKey(near.y) & ~3u) | 1u) : kMiss;
@@ -59,6 +60,23 @@ uint restOfLeaf(uint leaf) { return leaf - (1u << 28u) + 1u; }
 uint leafFirst(uint leaf) { return leaf & 0x0FFFFFFFu; }
 bool leafIsLast(uint leaf) { return (leaf & 0x70000000u) == 0u; }
 
+// A stack entry is a node and those of its children that are still to be visited, in order: the node's index from
+// bit 8 on, the slots in pairs of bits from bit 0 on, their number in bits 6 and 7.
+
+// The child that is next by the top of the stack; kTraversalDone when there is none.
+uint popChild(INOUT(TraversalStack) stack) {
+  uint entry = topOfStack(stack);
+  uint count = (entry >> 6u) & 3u;
+  bool empty = entry == kEmptyStack;
+  uint child = childOf(nodeChildren(empty ? 0u : entry >> 8u), entry);
+  if (count == 1u) {
+    popStack(stack);
+  } else if (!empty) {
+    replaceTop(stack, (entry & 0xFFFFFF00u) | ((count - 1u) << 6u) | ((entry & 63u) >> 2u));
+  }
+  return empty ? kTraversalDone : child;
+}
+
 Hit traceClosest(Ray ray) {
   Hit hit;
   hit.t = kFarAway;
@@ -68,62 +86,57 @@ Hit traceClosest(Ray ray) {
   hit.id = kNoTriangle;
   SlabRay slab = makeSlabRay(ray.d);
   RayBasis basis = makeRayBasis(ray.d);
-  uint stack[kStackSize];
-  stack[0] = kTraversalDone;
-  int top = 1;
+  TraversalStack stack = emptyStack();
   uint current = 0u;
   uint steps = 0u;
-  bool overflow = false;
   do {
-    bool pop = false;
-    if ((current & kLeafBit) == 0u) {
-      UVec4 keys = intersectChildren(current, slab, ray.o, hit.t);
-      UVec4 children = nodeChildren(current);
-      uint a = min(keys.x, keys.y);
-      uint b = max(keys.x, keys.y);
-      uint c = min(keys.z, keys.w);
-      uint d = max(keys.z, keys.w);
-      uint first = min(a, c);
-      uint e = max(a, c);
-      uint last = max(b, d);
-      uint f = min(b, d);
-      uint second = min(e, f);
-      uint third = max(e, f);
-      stack[top] = childOf(children, last);
-      top += last != kMiss ? 1 : 0;
-      stack[top] = childOf(children, third);
-      top += third != kMiss ? 1 : 0;
-      stack[top] = childOf(children, second);
-      top += second != kMiss ? 1 : 0;
-      overflow = overflow || top > kStackSize - 4;
-      top = min(top, kStackSize - 4);
-      current = childOf(children, first);
-      pop = first == kMiss;
-    }
-    if (!pop && (current & kLeafBit) != 0u) {
-      uint index = leafFirst(current);
-      Float t;
-      Float b1;
-      Float b2;
-      TriangleRecord tri = triangleRecord(index);
-      bool found = intersectTriangle(ray, basis, tri.v0, tri.v1, tri.v2, t, b1, b2);
-      if (found && index != ray.exclude && (t < hit.t || (t == hit.t && tri.id < hit.id))) {
-        hit.t = t;
-        hit.b1 = b1;
-        hit.b2 = b2;
-        hit.triangle = index;
-        hit.id = tri.id;
+    uint nodes = 0u;
+    do {
+      if (current < kTraversalPop) {
+        UVec4 keys = intersectChildren(current, slab, ray.o, hit.t);
+        UVec4 children = nodeChildren(current);
+        uint a = min(keys.x, keys.y);
+        uint b = max(keys.x, keys.y);
+        uint c = min(keys.z, keys.w);
+        uint d = max(keys.z, keys.w);
+        uint first = min(a, c);
+        uint e = max(a, c);
+        uint fourth = max(b, d);
+        uint f = min(b, d);
+        uint second = min(e, f);
+        uint third = max(e, f);
+        uint rest = (second != kMiss ? 64u : 0u) + (third != kMiss ? 64u : 0u) + (fourth != kMiss ? 64u : 0u);
+        if (rest != 0u) {
+          pushStack(stack, (current << 8u) | rest | (second & 3u) | ((third & 3u) << 2u) | ((fourth & 3u) << 4u));
+        }
+        current = first == kMiss ? kTraversalPop : childOf(children, first);
       }
-      pop = leafIsLast(current);
-      current = restOfLeaf(current);
-    }
-    if (pop) {
-      top -= 1;
-      current = stack[top];
-    }
+      nodes += 1u;
+    } while (current < kTraversalPop && nodes < kNodesPerStep);
+    bool more = (current & kLeafBit) != 0u;
+    do {
+      if (more) {
+        uint index = leafFirst(current);
+        Float t;
+        Float b1;
+        Float b2;
+        TriangleRecord tri = triangleRecord(index);
+        bool found = intersectTriangle(ray, basis, tri.v0, tri.v1, tri.v2, t, b1, b2);
+        if (found && index != ray.exclude && (t < hit.t || (t == hit.t && tri.id < hit.id))) {
+          hit.t = t;
+          hit.b1 = b1;
+          hit.b2 = b2;
+          hit.triangle = index;
+          hit.id = tri.id;
+        }
+        more = !leafIsLast(current);
+        current = more ? restOfLeaf(current) : kTraversalPop;
+      }
+    } while (more);
+    if (current == kTraversalPop) current = popChild(stack);
     steps += 1u;
   } while (current != kTraversalDone && steps < kMaxTraversalSteps);
-  reportTraversal(steps, current != kTraversalDone, overflow);
+  reportTraversal(steps, current != kTraversalDone);
   reportClosestRay();
   return hit;
 }
@@ -133,50 +146,49 @@ bool traceOccluded(Ray ray, Float tMax, uint target) {
   bool occluded = false;
   SlabRay slab = makeSlabRay(ray.d);
   RayBasis basis = makeRayBasis(ray.d);
-  uint stack[kStackSize];
-  stack[0] = kTraversalDone;
-  int top = 1;
+  TraversalStack stack = emptyStack();
   uint current = tMax > 0.0 ? 0u : kTraversalDone;
   uint steps = 0u;
-  bool overflow = false;
   do {
-    bool pop = current != kTraversalDone;
-    if ((current & kLeafBit) == 0u && current != kTraversalDone) {
-      UVec4 keys = intersectChildren(current, slab, ray.o, tMax);
-      UVec4 children = nodeChildren(current);
-      stack[top] = children.x;
-      top += keys.x != kMiss ? 1 : 0;
-      stack[top] = children.y;
-      top += keys.y != kMiss ? 1 : 0;
-      stack[top] = children.z;
-      top += keys.z != kMiss ? 1 : 0;
-      stack[top] = children.w;
-      top += keys.w != kMiss ? 1 : 0;
-      overflow = overflow || top > kStackSize - 4;
-      top = min(top, kStackSize - 4);
-      top -= 1;
-      current = stack[top];
-      pop = false;
-    }
-    if ((current & kLeafBit) != 0u) {
-      uint index = leafFirst(current);
-      Float t;
-      Float b1;
-      Float b2;
-      TriangleRecord tri = triangleRecord(index);
-      bool found = intersectTriangle(ray, basis, tri.v0, tri.v1, tri.v2, t, b1, b2);
-      occluded = occluded || (found && t < tMax && index != ray.exclude && index != target);
-      pop = leafIsLast(current);
-      current = restOfLeaf(current);
-    }
-    if (pop) {
-      top -= 1;
-      current = stack[top];
-    }
+    uint nodes = 0u;
+    do {
+      if (current < kTraversalPop) {
+        UVec4 keys = intersectChildren(current, slab, ray.o, tMax);
+        UVec4 children = nodeChildren(current);
+        uint order = 0u;
+        uint count = 0u;
+        order = keys.w != kMiss ? 3u : 0u;
+        count = keys.w != kMiss ? 1u : 0u;
+        order = keys.z != kMiss ? (order << 2u) | 2u : order;
+        count += keys.z != kMiss ? 1u : 0u;
+        order = keys.y != kMiss ? (order << 2u) | 1u : order;
+        count += keys.y != kMiss ? 1u : 0u;
+        order = keys.x != kMiss ? (order << 2u) : order;
+        count += keys.x != kMiss ? 1u : 0u;
+        if (count > 1u) pushStack(stack, (current << 8u) | ((count - 1u) << 6u) | (order >> 2u));
+        current = count == 0u ? kTraversalPop : childOf(children, order);
+      }
+      nodes += 1u;
+    } while (current < kTraversalPop && nodes < kNodesPerStep);
+    bool more = (current & kLeafBit) != 0u;
+    do {
+      if (more) {
+        uint index = leafFirst(current);
+        Float t;
+        Float b1;
+        Float b2;
+        TriangleRecord tri = triangleRecord(index);
+        bool found = intersectTriangle(ray, basis, tri.v0, tri.v1, tri.v2, t, b1, b2);
+        occluded = occluded || (found && t < tMax && index != ray.exclude && index != target);
+        more = !leafIsLast(current) && !occluded;
+        current = more ? restOfLeaf(current) : kTraversalPop;
+      }
+    } while (more);
+    if (current == kTraversalPop) current = popChild(stack);
     if (occluded) current = kTraversalDone;
     steps += 1u;
   } while (current != kTraversalDone && steps < kMaxTraversalSteps);
-  reportTraversal(steps, current != kTraversalDone, overflow);
+  reportTraversal(steps, current != kTraversalDone);
   reportShadowRay(tMax > 0.0);
   return occluded;
 }

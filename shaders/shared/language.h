@@ -24,6 +24,8 @@ inline Vec3 xyz(const Vec4& v) { return Vec3(v.x, v.y, v.z); }
 inline bool isFinite(Float x) { return std::isfinite(x); }
 /// Monotonic in x >= 0; orders children, so float precision is enough in every program.
 inline uint orderKey(Float x) { return std::bit_cast<uint>(static_cast<float>(x)); }
+inline Vec4 slabMin(const Vec4& a, const Vec4& b) { return glm::min(a, b); }
+inline Vec4 slabMax(const Vec4& a, const Vec4& b) { return glm::max(a, b); }
 inline uint subgroupMaximum(uint x) { return x; }
 inline uint multiplyHigh(uint a, uint b) {
   return static_cast<uint>((static_cast<std::uint64_t>(a) * static_cast<std::uint64_t>(b)) >> 32U);
@@ -50,6 +52,10 @@ vec3 xyz(vec4 v) { return v.xyz; }
 // By bit pattern: isnan() and isinf() may be assumed away by a driver.
 bool isFinite(float x) { return (floatBitsToUint(x) & 0x7F800000u) != 0x7F800000u; }
 uint orderKey(float x) { return floatBitsToUint(x); }
+// Minimum and maximum of distances along a ray, by their bits as integers: one instruction where NaN rules cost
+// three. Numbers below 0 only stay below 0, which is all that a slab test needs.
+vec4 slabMin(vec4 a, vec4 b) { return intBitsToFloat(min(floatBitsToInt(a), floatBitsToInt(b))); }
+vec4 slabMax(vec4 a, vec4 b) { return intBitsToFloat(max(floatBitsToInt(a), floatBitsToInt(b))); }
 uint subgroupMaximum(uint x) { return subgroupMax(x); }
 uint multiplyHigh(uint a, uint b) {
   uint high;
@@ -60,3 +66,5 @@ uint multiplyHigh(uint a, uint b) {
 const float kEpsilon = 1.1920929e-7;
 
 #endif
+
+#include "shared/mutations.h"

@@ -25,7 +25,8 @@ VKPT_CONSTANT uint kBindingLights = 5u;    // texel buffer: 4 texels a light
 VKPT_CONSTANT uint kBindingPaths = 6u;     // storage: saved path states, plane by plane
 VKPT_CONSTANT uint kBindingCounters = 7u;  // storage: Counters
 VKPT_CONSTANT uint kBindingFilm = 8u;      // storage[kFilmPlanes]: the film, one buffer a plane
-VKPT_CONSTANT uint kBindingCount = 9u;
+VKPT_CONSTANT uint kBindingSlots = 9u;      // storage: slots with samples still to do, two lists in turn
+VKPT_CONSTANT uint kBindingCount = 10u;
 
 // --- texels a record takes ---
 VKPT_CONSTANT uint kTexelsPerNode = 8u;
@@ -34,7 +35,7 @@ VKPT_CONSTANT uint kTexelsPerMaterial = 4u;
 VKPT_CONSTANT uint kTexelsPerLight = 4u;
 
 // --- specialisation constants beside the effects (ids 0..63) ---
-VKPT_CONSTANT uint kConstantStackSize = 64u;
+VKPT_CONSTANT uint kConstantStackDepth = 64u;
 VKPT_CONSTANT uint kConstantRouletteMode = 65u;
 
 VKPT_CONSTANT uint kRouletteAlbedo = 0u;
@@ -55,10 +56,14 @@ VKPT_CONSTANT uint kSamplesPerGroup =
 VKPT_CONSTANT uint kBounceCap = 10000u; // ends paths trapped by total internal reflection; counted
 
 // lavapipe ends ALL loops of a subgroup together, in silence, after 65 535 iterations
-// (LP_MAX_TGSI_LOOP_ITERATIONS). A vertex starts only below kIterationBudget and its two traversals take at
-// most kMaxTraversalSteps each, so the limit is never met: 24000 + 2 * 20000 < 65535.
-VKPT_CONSTANT uint kIterationBudget = 24000u;
-VKPT_CONSTANT uint kMaxTraversalSteps = 20000u;
+// (LP_MAX_TGSI_LOOP_ITERATIONS). A traversal step is one iteration of a loop with two loops inside, of at most
+// kNodesPerStep and kLeafTriangles iterations; a vertex starts only below kStepBudget and its two traversals take
+// at most kMaxTraversalSteps each. So the limit is never met: (2200 + 1 + 2 * 2500) * (1 + 4 + 4) < 65535.
+VKPT_CONSTANT uint kMaxStackDepth = 48u; // levels of the tree, and one
+VKPT_CONSTANT uint kNodesPerStep = 4u;
+VKPT_CONSTANT uint kLeafTriangles = 4u; // vkpt::kMaxLeafTriangles
+VKPT_CONSTANT uint kStepBudget = 2200u;
+VKPT_CONSTANT uint kMaxTraversalSteps = 2500u;
 
 // --- the film: planes of one 32-bit value a pixel ---
 VKPT_CONSTANT uint kFilmCount = 0u;      // uint: samples, those of the open group included
@@ -108,7 +113,9 @@ struct Dispatch {
   uint firstSample; // low 32 bits of the sample index
   uint firstSampleHigh;
   uint sampleCount; // samples a pixel in this batch; never straddles a group
-  uint fresh;       // 1: start the batch; 0: go on with the saved states
+  uint fresh;         // 1: start the batch; 0: go on with the saved states of the listed slots
+  uint listed;        // how many slots are listed, if not fresh
+  uint listTurn;      // 0 or 1: the list this dispatch writes; it reads the other one
 };
 
 #ifdef __cplusplus

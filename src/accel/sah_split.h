@@ -12,7 +12,7 @@ namespace vkpt::accel {
 
 /// Cost of visiting one node of the binary tree and of testing one triangle. A four-wide visit stands for up
 /// to three binary ones; the ratio is chosen so that leaves of two to four triangles are usual.
-inline constexpr double kNodeCost = 2.0;
+inline constexpr double kNodeCost = 1.0;
 inline constexpr double kTriangleCost = 1.0;
 
 inline constexpr std::uint32_t kMaxBins = 32;

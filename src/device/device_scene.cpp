@@ -1,6 +1,7 @@
 #include "device/device_scene.h"
 
 #include "device/light_table.h"
+#include "shared/structs.h"
 
 #include <algorithm>
 #include <bit>
@@ -70,6 +71,7 @@ PackedScene packScene(const Scene& scene, unsigned threads) {
   PackedScene packed;
   BvhSettings settings;
   settings.threads = threads;
+  settings.maxDepth = shared::kMaxStackDepth - 1U;
   packed.bvh = buildBvh(triangleBounds(scene), settings);
   packTriangles(scene, packed);
   packMaterials(scene, packed);
@@ -89,7 +91,7 @@ DeviceScene uploadScene(const gpu::Context& context, const PackedScene& packed) 
   scene.materials = gpu::TexelBuffer(context, "materials", std::as_bytes(std::span{packed.materials}));
   scene.lights = gpu::TexelBuffer(context, "lights", std::as_bytes(std::span{packed.lights}));
   scene.lightCount = packed.lightCount;
-  scene.stackSize = packed.bvh.stackSize();
+  scene.stackDepth = packed.bvh.depth + 1U;
   return scene;
 }
 

@@ -31,7 +31,7 @@ struct DeviceScene {
   gpu::TexelBuffer materials;
   gpu::TexelBuffer lights;
   std::uint32_t lightCount = 0;
-  std::uint32_t stackSize = 0;
+  std::uint32_t stackDepth = 0; ///< entries a traversal needs: shaders/lib/stack.glsl
   [[nodiscard]] std::uint64_t bytes() const;
 };
 DeviceScene uploadScene(const gpu::Context& context, const PackedScene& packed);

@@ -102,7 +102,15 @@ void checkAttributeSizes(ByteView file) {
   }
 }
 
-/// The first look at a file, before OpenEXR allocates for it. Gives the size of the data window.
+/// How many samples a byte of the file can stand for. Deflate, the tightest but DWA, makes 1032 bytes of one,
+/// and a sample has two or more; DWA packs blocks of 64 samples before it deflates.
+double mostSamplesPerByte(Imf::Compression compression) {
+  const bool dwa = compression == Imf::DWAA_COMPRESSION || compression == Imf::DWAB_COMPRESSION;
+  return dwa ? 64.0 * 1032.0 : 1032.0;
+}
+
+/// The first look at a file, before OpenEXR and we allocate for it: a size that the file cannot hold is a
+/// broken file's, and shall not cost memory. Gives the size of the data window.
 Imf::Header checkedHeader(ByteView file, int& width, int& height) {
   if (file.size() < kFirstAttribute || word(file, 0) != static_cast<std::uint32_t>(Imf::MAGIC))
     throw FormatError("is no EXR file");
@@ -118,13 +126,14 @@ Imf::Header checkedHeader(ByteView file, int& width, int& height) {
   header.sanityCheck((version & Imf::TILED_FLAG) != 0U);
 
   const Imath::Box2i& window = header.dataWindow();
-  const auto w = std::int64_t{window.max.x} - window.min.x + 1,
-             h = std::int64_t{window.max.y} - window.min.y + 1;
-  // No compression of OpenEXR's packs a sample into less than 2^-16 of a byte: a larger size is a broken
-  // file's, and shall not cost memory.
-  const double pixelsAtMost = 65536.0 * static_cast<double>(file.size());
-  if (w < 1 || h < 1 || w > (1 << 28) || h > (1 << 28) ||
-      static_cast<double>(w) * static_cast<double>(h) > pixelsAtMost)
+  const auto w = std::int64_t{window.max.x} - window.min.x + 1;
+  const auto h = std::int64_t{window.max.y} - window.min.y + 1;
+  double samples = 0.0;
+  for (auto c = header.channels().begin(); c != header.channels().end(); ++c)
+    samples += static_cast<double>(w) * static_cast<double>(h);
+  constexpr std::int64_t kMostPixelsOfASide = 1 << 28;
+  if (w < 1 || h < 1 || std::max(w, h) > kMostPixelsOfASide ||
+      samples > mostSamplesPerByte(header.compression()) * static_cast<double>(file.size()))
     throw FormatError(fmt::format("broken EXR: {}x{} pixels in a file of {} bytes", w, h, file.size()));
   width = static_cast<int>(w);
   height = static_cast<int>(h);

@@ -2,9 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cerrno>
 #include <fcntl.h>
+#include <sys/stat.h>
 #include <system_error>
 #include <unistd.h>
 #include <utility>
@@ -77,12 +79,15 @@ Bytes readWholeFile(const fs::path& path) {
   const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
   if (file.get() < 0)
     fail(errno);
-  constexpr std::size_t kStep = 1 << 20;
-  Bytes bytes;
+  struct stat status {};
+  if (::fstat(file.get(), &status) != 0)
+    fail(errno);
+  // A guess, since a pipe has no size; one byte more, to see the end without another turn.
+  Bytes bytes(static_cast<std::size_t>(std::max<off_t>(status.st_size, 0)) + 1);
   std::size_t size = 0;
   for (;;) {
-    if (bytes.size() < size + kStep)
-      bytes.resize(2 * size + kStep);
+    if (size == bytes.size())
+      bytes.resize(2 * size);
     const ssize_t got = ::read(file.get(), bytes.data() + size, bytes.size() - size);
     if (got < 0 && errno == EINTR)
       continue;

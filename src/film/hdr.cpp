@@ -16,7 +16,6 @@ namespace vkpt::film {
 namespace {
 
 constexpr int kMantissaBits = 8;
-constexpr int kLowestExponent = -105; // 2^-106 is the least power of two that stb (1e-32) does not take for black
 constexpr int kHighestExponent = 127;
 constexpr int kExponentBias = 128;
 
@@ -33,10 +32,9 @@ void roundToRgbe(float* rgb) {
   std::frexp(largest, &exponent);
   if (std::nearbyint(std::ldexp(largest, kMantissaBits - exponent)) == 256.0)
     ++exponent;
-  const bool black = largest == 0.0 || exponent < kLowestExponent;
   for (int c = 0; c < 3; ++c) {
     const double mantissa = std::nearbyint(std::ldexp(static_cast<double>(rgb[c]), kMantissaBits - exponent));
-    rgb[c] = black ? 0.0F : static_cast<float>(std::ldexp(mantissa, exponent - kMantissaBits));
+    rgb[c] = static_cast<float>(std::ldexp(mantissa, exponent - kMantissaBits));
   }
 }
 

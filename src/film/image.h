@@ -62,7 +62,7 @@ void checkOutputPath(const fs::path& path);
 /// EXR holds every channel as 32-bit floats, ZIP-compressed without loss; strings and doubles of the metadata
 /// become attributes of that type, integers `int`, or `string` beyond 32 bits. PFM holds R, G, B bit for bit.
 /// HDR holds them rounded to the nearest RGBE: within 1/255 of the pixel's largest channel, negative and NaN
-/// as 0, below 1.3e-32 as 0, clipped at 1.69e38. PNG is rounded to the nearest of 8 bits: below 0 and NaN
+/// as 0, below 1e-32 as 0, clipped at 1.69e38. PNG is rounded to the nearest of 8 bits: below 0 and NaN
 /// give 0, above 1 gives 255.
 void writeImage(const fs::path& path, const Image& image, const DisplaySettings& display,
                 const Metadata& metadata);

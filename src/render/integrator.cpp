@@ -1,6 +1,6 @@
 #include "render/integrator.h"
 
-#include "render/camera_frame.h"
+#include "device/camera_frame.h"
 #include "spirv.h"
 
 #include <algorithm>
@@ -24,6 +24,7 @@ constexpr auto kLayout = std::to_array<gpu::BindingLayout>({
     {kBindingPaths, DescriptorType::eStorageBuffer},
     {kBindingCounters, DescriptorType::eStorageBuffer},
     {kBindingFilm, DescriptorType::eStorageBuffer, kFilmPlanes},
+    {kBindingSlots, DescriptorType::eStorageBuffer},
 });
 static_assert(kLayout.size() == kBindingCount);
 
@@ -32,28 +33,14 @@ gpu::SpecialisationMap specialise(const EffectSet& effects, const IntegratorSett
   gpu::SpecialisationMap constants = settings.extraConstants;
   for (const auto& e : allEffects())
     constants[static_cast<std::uint32_t>(e.effect)] = effects.has(e.effect) ? 1U : 0U;
-  constants[kConstantStackSize] = stack;
+  constants[kConstantStackDepth] = stack;
   constants[kConstantRouletteMode] = static_cast<std::uint32_t>(settings.estimator.roulette);
   return constants;
 }
 
-std::uint32_t blocksAlong(int pixels) {
-  return (static_cast<std::uint32_t>(pixels) + kBlockEdge - 1) / kBlockEdge;
-}
-
-FrameConstants frameConstants(const DeviceScene& scene, const Scene& source, const IntegratorSettings& s) {
-  FrameConstants c{};
-  setCamera(c, source, s.width, s.height);
-  c.background = {source.background.x, source.background.y, source.background.z, 0.0F};
-  c.width = static_cast<std::uint32_t>(s.width);
-  c.height = static_cast<std::uint32_t>(s.height);
-  c.seed = s.seed;
-  c.lightCount = scene.lightCount;
-  c.maxBounces = s.estimator.maxBounces;
-  c.rouletteAfter = s.estimator.effectiveRouletteAfter();
-  c.blocksX = blocksAlong(s.width);
-  c.blocksPerStripe = (c.blocksX * blocksAlong(s.height) + kStripes - 1) / kStripes;
-  return c;
+/// A work-group for every block, or for every kBlockPixels listed slots.
+std::uint32_t workGroups(const Dispatch& job) {
+  return job.listed > 0 ? (job.listed + kBlockPixels - 1) / kBlockPixels : job.blockCount;
 }
 
 void barrier(const vk::raii::CommandBuffer& commands) {
@@ -69,10 +56,12 @@ void barrier(const vk::raii::CommandBuffer& commands) {
 
 Integrator::Integrator(const gpu::Context& context, const DeviceScene& scene, const Scene& source,
                        const EffectSet& effects, const IntegratorSettings& settings)
-    : m_context(context), m_settings(settings), m_constants(frameConstants(scene, source, settings)),
+    : m_context(context), m_settings(settings),
+      m_constants(frameConstants(source, scene.lightCount, settings.estimator, settings.width,
+                                 settings.height, settings.seed)),
       m_bindings(context, kLayout, sizeof(Dispatch)),
       m_path(context, settings.pathShader.empty() ? spirv::kPath : settings.pathShader, m_bindings,
-             specialise(effects, settings, scene.stackSize)),
+             specialise(effects, settings, scene.stackDepth)),
       m_commit(context, spirv::kCommit, m_bindings, {}),
       m_constantsBuffer(context, "frame constants", sizeof(FrameConstants),
                         vk::BufferUsageFlagBits::eUniformBuffer, gpu::MemoryKind::Host),
@@ -100,7 +89,10 @@ void Integrator::reserveSlots(std::uint32_t slots) {
   const vk::DeviceSize bytes = vk::DeviceSize{m_slots} * kPathPlanes * sizeof(Texel);
   m_paths = gpu::Buffer(m_context, "path states", bytes, vk::BufferUsageFlagBits::eStorageBuffer,
                         gpu::MemoryKind::Device);
+  m_slotLists = gpu::Buffer(m_context, "slot lists", vk::DeviceSize{m_slots} * 2 * sizeof(std::uint32_t),
+                            vk::BufferUsageFlagBits::eStorageBuffer, gpu::MemoryKind::Device);
   m_bindings.bind(m_context, kBindingPaths, m_paths, DescriptorType::eStorageBuffer);
+  m_bindings.bind(m_context, kBindingSlots, m_slotLists, DescriptorType::eStorageBuffer);
 }
 
 void Integrator::dispatch(const gpu::ComputePipeline& pipeline, const Dispatch& job) const {
@@ -109,7 +101,7 @@ void Integrator::dispatch(const gpu::ComputePipeline& pipeline, const Dispatch& 
     commands.bindDescriptorSets(vk::PipelineBindPoint::eCompute, m_bindings.pipelineLayout(), 0,
                                 m_bindings.set(), {});
     commands.pushConstants<Dispatch>(m_bindings.pipelineLayout(), vk::ShaderStageFlagBits::eCompute, 0, job);
-    commands.dispatch(job.blockCount, 1, 1);
+    commands.dispatch(workGroups(job), 1, 1);
     barrier(commands);
   });
 }
@@ -144,8 +136,10 @@ std::uint64_t Integrator::renderTile(const Tile& tile, std::uint64_t firstSample
   reserveSlots(job.slotCount);
   // Every dispatch takes each unfinished path at least one vertex further, and no path is longer than
   // kBounceCap.
-  while (tracePaths(job).unfinished > 0)
+  while ((job.listed = tracePaths(job).unfinished) > 0) {
     job.fresh = 0;
+    job.listTurn ^= 1U;
+  }
   if (count > 0)
     dispatch(m_commit, job);
   const std::uint64_t samples = std::uint64_t{job.slotCount} * count;

@@ -74,6 +74,7 @@ private:
   gpu::Buffer m_constantsBuffer;
   gpu::Buffer m_countersBuffer;
   gpu::Buffer m_paths;
+  gpu::Buffer m_slotLists;
   std::uint32_t m_slots = 0;
   DeviceFilm m_film;
   RunCounters m_counters;

@@ -39,7 +39,7 @@ public:
 private:
   void warn(std::size_t line, const std::string& what) {
     const SourceLocation where{m_mtl.where.file, line == 0 ? m_mtl.where.line : line};
-    m_report.warnings.push_back(fmt::format("{}: material '{}': {}", where.text(), m_mtl.name, what));
+    m_report.warnings.push_back(fmt::format("{}: material '{}': {}", where.text(), shown(m_mtl.name), what));
   }
 
   Vec3d emission() {
@@ -53,8 +53,8 @@ private:
       return Vec3d(0.0);
     }
     m_report.notes.push_back(fmt::format("{}: material '{}' emits its Ka, {}",
-                                         SourceLocation{m_mtl.where.file, m_mtl.kaLine}.text(), m_mtl.name,
-                                         colourText(ka)));
+                                         SourceLocation{m_mtl.where.file, m_mtl.kaLine}.text(),
+                                         shown(m_mtl.name), colourText(ka)));
     return ka;
   }
 
@@ -112,7 +112,7 @@ private:
       throw SceneError(
           {m_mtl.where.file, m_mtl.niLine},
           fmt::format("material '{}': Ni {} is no index of refraction; give {:g} to {:g}, glass has 1.5",
-                      m_mtl.name, shortNumber(ni), kLeastIor, kLargestIor));
+                      shown(m_mtl.name), shortNumber(ni), kLeastIor, kLargestIor));
     }
     m_out.bsdf = BsdfType::Dielectric;
     m_out.reflectance = Vec3f(1.0F);

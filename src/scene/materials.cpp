@@ -34,7 +34,7 @@ std::vector<MaterialTable::Library*> MaterialTable::openLibraries(const SceneTex
       } else {
         m_report.warnings.push_back(
             fmt::format("{}: material file '{}' cannot be read; its materials become grey (Kd 0.8)",
-                        SourceLocation{source.name, use.line}.text(), name));
+                        SourceLocation{source.name, use.line}.text(), shown(name)));
       }
     }
   }
@@ -85,7 +85,7 @@ std::uint32_t MaterialTable::lookUp(const std::vector<Library*>& libraries, cons
           m_report.warnings.push_back(fmt::format(
               "{}: {}", SourceLocation{mtl.where.file, unread.line}.text(),
               unread.key == nullptr
-                  ? fmt::format("'{}' is no MTL key that vkpt knows; left out", unread.name)
+                  ? fmt::format("'{}' is no MTL key that vkpt knows; left out", shown(unread.name))
                   : fmt::format("{} ({}): {}", unread.name, unread.key->meaning, unread.key->mapping)));
         }
       }
@@ -101,7 +101,7 @@ std::uint32_t MaterialTable::lookUp(const std::vector<Library*>& libraries, cons
   }
   const SourceLocation where{source.name, use.line};
   m_report.warnings.push_back(fmt::format("{}: unknown material '{}'; taken as grey (Kd 0.8){}", where.text(),
-                                          use.name, didYouMean(use.name, known)));
+                                          shown(use.name), didYouMean(use.name, known)));
   return defaultMaterial(where);
 }
 

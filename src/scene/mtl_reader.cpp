@@ -1,5 +1,6 @@
 #include "scene/mtl_reader.h"
 
+#include "scene/names.h"
 #include "scene/statements.h"
 #include "scene/tinyobj.h"
 
@@ -54,7 +55,8 @@ private:
     if (name == "newmtl") {
       startMaterial();
     } else if (m_materials.empty()) {
-      m_warnings.push_back(fmt::format("{}: '{}' before the first newmtl is left out", here().text(), name));
+      m_warnings.push_back(
+          fmt::format("{}: '{}' before the first newmtl is left out", here().text(), shown(name)));
     } else if (key == nullptr) {
       m_materials.back().unread.push_back({nullptr, std::string(name), m_statement.line});
     } else if (key->use == MtlUse::Read) {
@@ -70,8 +72,8 @@ private:
       fail("newmtl without a name; give one");
     }
     if (std::ranges::find(m_materials, name, &MtlMaterial::name) != m_materials.end()) {
-      m_warnings.push_back(
-          fmt::format("{}: material '{}' is defined again; the first one is used", here().text(), name));
+      m_warnings.push_back(fmt::format("{}: material '{}' is defined again; the first one is used",
+                                       here().text(), shown(name)));
     }
     m_materials.push_back({});
     m_materials.back().name = name;
@@ -89,7 +91,7 @@ private:
     const bool grey = key.value == MtlValue::Colour && m_words.size() == 1;
     const std::size_t need = key.value == MtlValue::Colour && !grey ? 3 : 1;
     if (m_words.size() < need) {
-      fail(fmt::format("'{}' is cut short; {} needs {}", m_statement.text, key.key,
+      fail(fmt::format("'{}' is cut short; {} needs {}", shown(m_statement.text), key.key,
                        key.value == MtlValue::Colour ? "three numbers, r g b" : "a number"));
     }
     m_fit.append(key.key);
@@ -107,7 +109,8 @@ private:
   void scanIllum() {
     const auto illum = m_words.empty() ? std::nullopt : parseInteger(m_words[0]);
     if (!illum) {
-      fail(fmt::format("'{}' is no illumination model; give its number, e.g. illum 1", m_statement.text));
+      fail(fmt::format("'{}' is no illumination model; give its number, e.g. illum 1",
+                       shown(m_statement.text)));
     }
     m_fit.append(fmt::format("illum {}\n", *illum));
     note("illum");
@@ -116,18 +119,19 @@ private:
   void checkValue(const MtlKey& key, std::string_view word) const {
     const auto value = parseNumber(word);
     if (!value) {
-      fail(fmt::format("'{}' is no number; {} needs {}", word, key.key,
+      fail(fmt::format("'{}' is no number; {} needs {}", shown(word), key.key,
                        key.value == MtlValue::Colour ? "three numbers, r g b" : "a number"));
     }
     if (!std::isfinite(*value)) {
-      fail(fmt::format("{} is '{}', which is not finite; give a number", key.key, word));
+      fail(fmt::format("{} is '{}', which is not finite; give a number", key.key, shown(word)));
     }
     // Of a number (Ni) the shader decides: silver's files give one that means nothing, others a 0.
     if (key.value == MtlValue::Colour && *value < 0.0) {
-      fail(fmt::format("{} is negative ({}); give 0 or above", key.key, word));
+      fail(fmt::format("{} is negative ({}); give 0 or above", key.key, shown(word)));
     }
     if (key.value == MtlValue::Colour && *value > kLargestColour) {
-      fail(fmt::format("{} is {}, beyond the range of float; at most {:g}", key.key, word, kLargestColour));
+      fail(fmt::format("{} is {}, beyond the range of float; at most {:g}", key.key, shown(word),
+                       kLargestColour));
     }
   }
 

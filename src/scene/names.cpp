@@ -59,7 +59,15 @@ std::string_view nearestName(std::string_view typed, std::span<const std::string
 
 std::string didYouMean(std::string_view typed, std::span<const std::string_view> candidates) {
   const std::string_view nearest = nearestName(typed, candidates);
-  return nearest.empty() ? std::string() : fmt::format(", did you mean '{}'?", nearest);
+  return nearest.empty() ? std::string() : fmt::format(", did you mean '{}'?", shown(nearest));
+}
+
+std::string shown(std::string_view piece) {
+  constexpr std::size_t kLongest = 60;
+  std::string text(piece.substr(0, kLongest));
+  std::ranges::replace_if(
+      text, [](char c) { return (c >= 0 && c < ' ') || c == '\x7f'; }, '?');
+  return piece.size() > kLongest ? text + "..." : text;
 }
 
 std::string shortNumber(double value) { return fmt::format("{:.6g}", value); }

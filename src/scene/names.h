@@ -16,6 +16,9 @@ std::string_view nearestName(std::string_view typed, std::span<const std::string
 /// ", did you mean 'x'?", or nothing.
 std::string didYouMean(std::string_view typed, std::span<const std::string_view> candidates);
 
+/// A piece of a file as a message shows it: without control characters, and not all of a long one.
+std::string shown(std::string_view piece);
+
 /// A number as a message shows it: six digits, no trailing zeros.
 std::string shortNumber(double value);
 

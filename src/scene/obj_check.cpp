@@ -1,5 +1,6 @@
 #include "scene/obj_check.h"
 
+#include "scene/names.h"
 #include "scene/statements.h"
 
 #include <algorithm>
@@ -12,6 +13,8 @@
 namespace vkpt {
 
 namespace {
+
+constexpr std::string_view kForms = "a corner is v, v/t, v//n or v/t/n";
 
 class ObjChecker {
 public:
@@ -58,12 +61,12 @@ private:
     splitWords(m_statement.arguments(), m_words);
     m_numbers.clear();
     if (m_words.size() < least) {
-      fail(fmt::format("'{}' is cut short; {}", m_statement.text, need));
+      fail(fmt::format("'{}' is cut short; {}", shown(m_statement.text), need));
     }
     for (const std::string_view word : m_words) {
       const auto number = parseNumber(word);
       if (!number) {
-        fail(fmt::format("'{}' is no number; {}", word, need));
+        fail(fmt::format("'{}' is no number; {}", shown(word), need));
       }
       m_numbers.push_back(*number);
     }
@@ -73,11 +76,11 @@ private:
     checkNumbers("a vertex needs three numbers, x y z", 3);
     for (std::size_t i = 0; i < 3; ++i) {
       if (!std::isfinite(m_numbers[i])) {
-        fail(fmt::format("vertex coordinate '{}' is not finite; give a number", m_words[i]));
+        fail(fmt::format("vertex coordinate '{}' is not finite; give a number", shown(m_words[i])));
       }
       if (std::abs(m_numbers[i]) > kLargestCoordinate) {
-        fail(
-            fmt::format("vertex coordinate '{}' is too large; at most {:g}", m_words[i], kLargestCoordinate));
+        fail(fmt::format("vertex coordinate '{}' is too large; at most {:g}", shown(m_words[i]),
+                         kLargestCoordinate));
       }
     }
   }
@@ -94,7 +97,6 @@ private:
   }
 
   void checkCorner(std::string_view word) const {
-    static constexpr std::string_view kForms = "a corner is v, v/t, v//n or v/t/n";
     std::string_view rest = word;
     for (std::size_t part = 0;; ++part) {
       const auto slash = rest.find('/');
@@ -107,7 +109,7 @@ private:
         return;
       }
       if (part == 2) {
-        fail(fmt::format("'{}' has too many parts; {}", word, kForms));
+        fail(fmt::format("'{}' has too many parts; {}", shown(word), kForms));
       }
       rest.remove_prefix(slash + 1);
     }
@@ -117,13 +119,15 @@ private:
     const auto value = parseInteger(index);
     if (!value && !index.empty() && index.find_first_not_of("+-0123456789") == std::string_view::npos &&
         index.find_first_of("0123456789") != std::string_view::npos) {
-      fail(fmt::format("index {} in '{}' is out of range; indices have at most 31 bits", index, word));
+      fail(fmt::format("index {} in '{}' is out of range; indices have at most 31 bits", shown(index),
+                       shown(word)));
     }
     if (!value) {
-      fail(fmt::format("'{}' in corner '{}' is no index; a corner is v, v/t, v//n or v/t/n", index, word));
+      fail(fmt::format("'{}' in corner '{}' is no index; {}", shown(index), shown(word), kForms));
     }
     if (*value == 0) {
-      fail(fmt::format("index 0 in '{}' is out of range; the first is 1, the last before the face -1", word));
+      fail(fmt::format("index 0 in '{}' is out of range; the first is 1, the last before the face -1",
+                       shown(word)));
     }
   }
 
@@ -135,16 +139,8 @@ private:
     }
     if (m_unknownCount++ == 0) {
       m_firstUnknown = {m_source.name, m_statement.line};
-      m_unknownKey = printable(key);
+      m_unknownKey = shown(key);
     }
-  }
-
-  /// A file that is no text must not spill into the terminal.
-  static std::string printable(std::string_view key) {
-    std::string shown(key.substr(0, 20));
-    std::ranges::replace_if(
-        shown, [](char c) { return c < ' ' || c > '~'; }, '?');
-    return shown;
   }
 
   const SceneText& m_source;

@@ -10,14 +10,10 @@ namespace {
 /// Corner normals this close to the geometric normal (a chord, for unit vectors) make a flat face.
 constexpr double kFlat = 1e-6;
 
+/// Squares of what float coordinates can differ by stay in the range of double, so the length needs no care.
 Vec3d unitOrZero(const Vec3d& v) {
-  // Scaled first: the square of a small or large vector leaves the range of double.
-  const Vec3d size = glm::abs(v);
-  const double largest = std::max({size.x, size.y, size.z});
-  if (!(largest > 0.0)) {
-    return Vec3d(0.0);
-  }
-  return glm::normalize(v / largest);
+  const double length = glm::length(v);
+  return length > 0.0 ? v / length : Vec3d(0.0);
 }
 
 Vec3d faceNormal(std::span<const Vec3d> positions, const Triangle& t) {

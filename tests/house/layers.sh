@@ -13,7 +13,7 @@ accel   core
 film    core
 device  core gpu scene accel
 render  core gpu scene accel device film
-host    core scene accel device
+host    core scene accel film device
 study   core gpu scene accel device film render
 app     core gpu scene accel device film render host study
 '

@@ -128,17 +128,28 @@ TEST(ReadImage, AHugeSizeCostsNoMemory) {
         fmt::format("#?RADIANCE\n\n-Y {} +X {}\n\2\2\1\1", text.substr(0, space), text.substr(space + 1));
     EXPECT_EQ(outcomeOf(folder / "x.hdr", viewOf(hdr)), Outcome::Refused);
   }
-  const Image image = noise(8, 8);
-  writeImage(folder / "x.exr", image, {}, {});
-  film::Bytes exr = film::readWholeFile(folder / "x.exr");
-  const std::string_view name("dataWindow\0box2i\0\x10\0\0\0", 21);
-  const auto window = std::search(exr.begin(), exr.end(), name.begin(), name.end());
-  ASSERT_NE(window, exr.end());
-  const auto maxX = window + static_cast<std::ptrdiff_t>(name.size()) + 8;
-  for (const auto top : std::array<unsigned char, 3>{0x01, 0x3F, 0x7F}) { // 2^24 pixels a side and more
-    maxX[3] = maxX[7] = top;
+  writeImage(folder / "x.exr", noise(8, 8), {}, {{"scene", "box"}});
+  const film::Bytes right = film::readWholeFile(folder / "x.exr");
+  const auto exrWith = [&](std::string_view attribute, std::size_t at,
+                           std::initializer_list<unsigned char> bytes) {
+    film::Bytes exr = right;
+    const auto found = std::search(exr.begin(), exr.end(), attribute.begin(), attribute.end());
+    EXPECT_NE(found, exr.end());
+    std::ranges::copy(bytes, found + static_cast<std::ptrdiff_t>(attribute.size() + at));
+    return exr;
+  };
+  constexpr std::string_view kWindow("dataWindow\0box2i\0\x10\0\0\0", 21), kText("vkpt.scene\0string\0", 18);
+  for (const unsigned char side :
+       std::array<unsigned char, 4>{0x1F, 0x3F, 0x7F, 0xFF}) { // 8191 pixels a side
+    const film::Bytes exr = exrWith(kWindow, 8, {0xFF, side, 0, 0, 0xFF, side, 0, 0});
     EXPECT_EQ(outcomeOf(folder / "x.exr", exr), Outcome::Refused);
   }
+  EXPECT_EQ(outcomeOf(folder / "x.exr", exrWith(kWindow, 8, {0, 0, 0, 0x7F, 0, 0, 0, 0x7F})),
+            Outcome::Refused);
+  // Eight rows, as there are, but long: the file's table of offsets is right.
+  EXPECT_EQ(outcomeOf(folder / "x.exr", exrWith(kWindow, 8, {0, 0, 0x7F, 0})), Outcome::Refused);
+  for (const unsigned char top : std::array<unsigned char, 3>{0x20, 0x7F, 0xFF}) // a text of half a GiB
+    EXPECT_EQ(outcomeOf(folder / "x.exr", exrWith(kText, 0, {0, 0, 0, top})), Outcome::Refused);
   EXPECT_LT(peakMebibytes() - before, 100.0);
 }
 

@@ -145,6 +145,8 @@ TEST(Exr, OtherChannelSetsAreNamed) {
   EXPECT_NE(refusal({"depth.Z", "G", "R"}).find("channels G, R, depth.Z; R, G and B or a lone Y"),
             std::string::npos);
   EXPECT_NE(refusal({"BY", "RY", "Y"}).find("channels BY, RY, Y;"), std::string::npos);
+  EXPECT_NE(refusal({"RY", "Y"}).find("channels RY, Y;"), std::string::npos);
+  EXPECT_NE(refusal({"BY", "Y"}).find("channels BY, Y;"), std::string::npos);
   EXPECT_NE(refusal({"R", "G", "B"}, 2).find("subsampled"), std::string::npos);
 }
 

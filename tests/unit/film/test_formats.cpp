@@ -115,7 +115,7 @@ TEST(Formats, HdrOfOddValues) {
   const TemporaryFolder folder;
   const float infinity = std::numeric_limits<float>::infinity(), most = std::ldexp(255.0F, 119);
   Image image(8, 1, {"R", "G", "B"});
-  image.channels[0].values = {std::nanf(""), -1.0F,  infinity,        3.4e38F,
+  image.channels[0].values = {std::nanf(""), -0.7F,  infinity,        3.4e38F,
                               1e-33F,        1e-40F, 255.6F / 256.0F, -0.0F};
   image.channels[1].values = {0.5F, 0.5F, 1.0F, 0.0F, 0.0F, 0.0F, 100.5F / 256.0F, 0.0F};
   writeImage(folder / "x.hdr", image, {}, {});
@@ -235,6 +235,17 @@ TEST(Formats, PngSizes) {
       for (std::size_t i = 0; i < image.pixelCount();
            ++i) // half a step of 1/255 where the curve is steepest, 2.28
         ASSERT_NEAR(back.channels[c].values[i], image.channels[c].values[i], 0.5 / 255.0 * 2.28);
+  }
+}
+
+/// The bounds on what a file of some bytes can hold let through what packs best.
+TEST(Formats, AConstantIsRead) {
+  const TemporaryFolder folder;
+  const Image black(1016, 1000, {"R", "G", "B"});
+  for (const std::string_view extension : kExtensions) {
+    const fs::path path = folder / std::string("x").append(extension);
+    writeImage(path, black, {}, {});
+    expectSameBits(black, readImage(path));
   }
 }
 

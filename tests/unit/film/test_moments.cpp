@@ -51,7 +51,7 @@ TEST(Moments, AConstantHasNoVarianceAtAll) {
 }
 
 TEST(Moments, AnEmptySetChangesNothing) {
-  const PixelMoments some{7, {0.1, -2.5, 1e20}, {0.3, 1e-9, 4.0}};
+  const PixelMoments some{7, {0.1, -2.5, 1e200}, {0.3, 1e-9, 4.0}};
   PixelMoments m = some;
   m.merge({});
   EXPECT_EQ(m.count, some.count);

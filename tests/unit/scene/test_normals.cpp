@@ -49,6 +49,11 @@ TEST(SmoothNormals, ThatCancelAreNone) {
   const auto [scene, report] = loadText("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 3 2 1\n");
   EXPECT_EQ(scene.triangles.size(), 2U);
   EXPECT_EQ(report.inventedNormals, 0U);
+  // Cut differently on its two sides: what is left of the sums is rounding.
+  const auto sheet =
+      loadText("v .1 .2 .3\nv 1.3 .7 .1\nv .3 1.9 .7\nv .7 1.42 .46\nf 1 2 4\nf 1 4 3\nf 1 3 2\n");
+  EXPECT_EQ(sheet.scene.triangles.size(), 3U);
+  EXPECT_EQ(sheet.report.inventedNormals, 0U);
 }
 
 TEST(SmoothNormals, DoNotDependOnTheUnit) {

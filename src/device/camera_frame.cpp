@@ -1,4 +1,4 @@
-#include "render/camera_frame.h"
+#include "device/camera_frame.h"
 
 #include "core/error.h"
 
@@ -12,6 +12,10 @@ namespace {
 
 shared::vec4 toVec4(const Vec3d& v) {
   return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z), 0.0F};
+}
+
+std::uint32_t blocksAlong(int pixels) {
+  return (static_cast<std::uint32_t>(pixels) + shared::kBlockEdge - 1) / shared::kBlockEdge;
 }
 
 } // namespace
@@ -39,6 +43,23 @@ void setCamera(shared::FrameConstants& constants, const Scene& scene, int width,
   constants.upperLeft = toVec4(forward - 0.5 * right - 0.5 * down);
   constants.right = toVec4(right);
   constants.down = toVec4(down);
+}
+
+shared::FrameConstants frameConstants(const Scene& scene, std::uint32_t lightCount,
+                                      const EstimatorSettings& estimator, int width, int height,
+                                      std::uint32_t seed) {
+  shared::FrameConstants c{};
+  setCamera(c, scene, width, height);
+  c.background = {scene.background.x, scene.background.y, scene.background.z, 0.0F};
+  c.width = static_cast<std::uint32_t>(width);
+  c.height = static_cast<std::uint32_t>(height);
+  c.seed = seed;
+  c.lightCount = lightCount;
+  c.maxBounces = estimator.maxBounces;
+  c.rouletteAfter = estimator.effectiveRouletteAfter();
+  c.blocksX = blocksAlong(width);
+  c.blocksPerStripe = (c.blocksX * blocksAlong(height) + shared::kStripes - 1) / shared::kStripes;
+  return c;
 }
 
 } // namespace vkpt

@@ -1,0 +1,59 @@
+// Known mistakes, one line each: X(id, Name, what is broken). A test build (VKPT_MUTATIONS) can switch one on;
+// tests/scenes shows that each is noticed. In every other build MUTATE is its right side and nothing else.
+#ifndef VKPT_SHARED_MUTATIONS_H
+#define VKPT_SHARED_MUTATIONS_H
+
+#define VKPT_MUTATIONS_LIST(X)                                                                               \
+  X(1, SurfaceCosineDropped, "direct light without the surface's cosine")                                    \
+  X(2, LightCosineDropped, "direct light without the light's cosine")                                        \
+  X(3, InversePiDropped, "the diffuse BSDF is the albedo, not albedo / pi")                                  \
+  X(4, DistanceNotSquared, "direct light falls with r, not r^2")                                             \
+  X(5, SurvivalNotDivided, "survivors of roulette don't stand for those that ended")                         \
+  X(6, LightAreaDropped, "the light's density lacks 1 / area")                                               \
+  X(7, LightChoiceDropped, "the light's density lacks the probability of its choice")                        \
+  X(8, AliasIgnored, "a row of the light table never takes its alias")                                       \
+  X(9, EmissionTwice, "emission counts again after a light-sampled vertex")                                  \
+  X(10, BackEmits, "emitters emit from their back when hit")                                                 \
+  X(11, BackSampled, "emitters emit from their back when sampled")                                           \
+  X(12, UniformHemisphere, "directions uniform over the hemisphere, weighted as if by cosine")               \
+  X(13, TriangleWarp, "points of a triangle without the square root: too many at one corner")                \
+  X(14, AlwaysReflects, "glass never refracts")                                                              \
+  X(15, NeverReflects, "glass refracts whenever it can")                                                     \
+  X(16, FresnelOnePolarisation, "glass reflects as if light were polarised")                                 \
+  X(17, EtaInverted, "glass and air change places in Snell's law")                                           \
+  X(18, GlassAlwaysEntered, "glass is entered from inside too")                                              \
+  X(19, ConductorAbsorptionDropped, "metal without the imaginary part of its index")                         \
+  X(20, MirrorWeightDropped, "a mirror reflects all light")                                                  \
+  X(21, OcclusionIgnored, "shadow rays never meet anything")                                                 \
+  X(22, OffsetDropped, "rays start on the surface itself")                                                   \
+  X(23, OffsetInward, "rays start on the wrong side of the surface")                                         \
+  X(24, RouletteCapped, "survival capped at one half without the division by it")                            \
+  X(25, LightBlockReused, "light and BSDF of a vertex share their random numbers")                           \
+  X(26, NextLightBlockReused, "a vertex's BSDF and the next one's light share their random numbers")         \
+  X(27, SampleIgnored, "every sample of a pixel has the same random numbers")                                \
+  X(28, BounceLimitOffByOne, "one bounce more than the limit")                                               \
+  X(29, BackgroundTwice, "the background counts twice")                                                      \
+  X(30, ThroughputDropped, "emission without the path's throughput")                                         \
+  X(31, DirectThroughputDropped, "direct light without the path's throughput")                               \
+  X(32, PixelNotJittered, "every sample through the pixel's centre")                                         \
+  X(33, ImageFlipped, "the image upside down")                                                               \
+  X(34, CarriedEmitLost, "a path that goes on in the next dispatch counts all emission")                     \
+  X(35, CarriedThroughputLost, "a path that goes on in the next dispatch starts with full throughput")       \
+  X(36, TooFewSamplesInMean, "the film's running mean divides by one more than it holds")                    \
+  X(37, DeviationsFromOldMean, "the film's deviations use the old mean twice")                               \
+  X(38, MergeMeanUnweighted, "groups of samples merge as if equally large")                                  \
+  X(39, MergeBetweenDropped, "merged deviations lack the spread between the groups")                         \
+  X(40, MergeLowDropped, "the film's pairs of floats lose their low half")                                  \
+  X(41, ExcludeDropped, "a ray may meet the triangle it starts from")
+
+#ifdef VKPT_MUTATIONS
+layout(constant_id = 127) const uint kMutation = 0u;
+#define VKPT_MUTATION_ID(id, Name, what) const uint kMutation##Name = id;
+VKPT_MUTATIONS_LIST(VKPT_MUTATION_ID)
+#undef VKPT_MUTATION_ID
+#define MUTATE(Name, right, wrong) (kMutation == kMutation##Name ? (wrong) : (right))
+#else
+#define MUTATE(Name, right, wrong) (right)
+#endif
+
+#endif

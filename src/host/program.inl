@@ -1,0 +1,149 @@
+// The shader library as a C++ class. Included by program32.h and program64.h inside their namespaces, where Float is
+// defined.
+
+#include "shared/language.h"
+
+using namespace vkpt::shared; // the layouts and constants of shared/structs.h
+
+// Literals of the library are plain: 0.5 must be a Float.
+static_assert(std::is_same_v<decltype(0.5), Float>,
+              "compile with vkpt_single_precision_literals() (src/host/CMakeLists.txt) if Float is float");
+
+/// The library with its accessors over a PackedScene, which must outlive it. One object a thread.
+/// Traits: Flag<id>, as RuntimeEffects has.
+template<class Traits>
+class Program {
+public:
+#include "lib/records.glsl"
+
+  Program(const PackedScene& scene, const FrameConstants& frame, const EffectSet& effects,
+          RouletteMode roulette)
+      :
+#define VKPT_INITIALISE_EFFECT(id, Name, name, what) kEffect##Name(effects),
+        VKPT_EFFECTS(VKPT_INITIALISE_EFFECT)
+#undef VKPT_INITIALISE_EFFECT
+            kRouletteMode(static_cast<uint>(roulette)),
+        m_scene(&scene), m_frame(frame) {
+    if (scene.bvh.stackSize() > kStackSize)
+      throw std::length_error("the BVH is too deep for the host's traversal stack");
+  }
+
+#define VKPT_DECLARE_EFFECT(id, Name, name, what)                                                            \
+  [[no_unique_address]] typename Traits::template Flag<id> kEffect##Name;
+  VKPT_EFFECTS(VKPT_DECLARE_EFFECT)
+#undef VKPT_DECLARE_EFFECT
+  uint kRouletteMode;
+  static constexpr int kStackSize = 160; // 3 x 48 + 4 is the deepest that buildBvh() makes by default
+
+  // --- accessors: as in shaders/device_memory.glsl ---
+  Vec4 nodeBounds(uint node, uint row) const {
+    const float* p = &m_scene->bvh.nodes[node].lowerX[0] + std::size_t{4} * row;
+    return Vec4(p[0], p[1], p[2], p[3]);
+  }
+  UVec4 nodeChildren(uint node) const {
+    const auto& c = m_scene->bvh.nodes[node].child;
+    return UVec4(c[0], c[1], c[2], c[3]);
+  }
+  TriangleRecord triangleRecord(uint i) const {
+    const Texel* t = &m_scene->triangles[std::size_t{i} * kTexelsPerTriangle];
+    TriangleRecord r;
+    r.v0 = vector(t[0]);
+    r.v1 = vector(t[1]);
+    r.v2 = vector(t[2]);
+    r.material = t[0][3];
+    r.id = t[1][3];
+    return r;
+  }
+  Vec3 triangleNormal(uint i, uint corner) const {
+    return vector(m_scene->normals[std::size_t{i} * kTexelsPerTriangle + corner]);
+  }
+  Material material(uint i) const {
+    const Texel* t = &m_scene->materials[std::size_t{i} * kTexelsPerMaterial];
+    Material m;
+    m.bsdf = t[0][3];
+    m.reflectance = vector(t[0]);
+    m.emission = vector(t[1]);
+    m.ior = number(t[1][3]);
+    m.eta = vector(t[2]);
+    m.k = vector(t[3]);
+    return m;
+  }
+  LightRecord lightRecord(uint i) const {
+    const Texel* t = &m_scene->lights[std::size_t{i} * kTexelsPerLight];
+    LightRecord r;
+    r.v0 = vector(t[0]);
+    r.v1 = vector(t[1]);
+    r.v2 = vector(t[2]);
+    r.radiance = vector(t[3]);
+    r.threshold = number(t[0][3]);
+    r.alias = t[1][3];
+    r.probability = number(t[2][3]);
+    r.triangle = t[3][3];
+    return r;
+  }
+  uint lightCount() const { return m_frame.lightCount; }
+  uint maxBounces() const { return m_frame.maxBounces; }
+  uint rouletteAfter() const { return m_frame.rouletteAfter; }
+  Vec3 background() const { return vector(m_frame.background); }
+  Vec3 cameraEye() const { return vector(m_frame.eye); }
+  Vec3 cameraUpperLeft() const { return vector(m_frame.upperLeft); }
+  Vec3 cameraRight() const { return vector(m_frame.right); }
+  Vec3 cameraDown() const { return vector(m_frame.down); }
+  Float inverseWidth() const { return Float(1) / Float(m_frame.width); }
+  Float inverseHeight() const { return Float(1) / Float(m_frame.height); }
+
+  // --- what the library reports ---
+  HostCounters counters;
+  void reportTraversal(uint /*steps*/, bool cut, bool overflow) {
+    counters.cutTraversal += cut ? 1U : 0U;
+    counters.stackOverflow += overflow ? 1U : 0U;
+  }
+  void reportClosestRay() { ++counters.raysClosest; }
+  void reportShadowRay(bool traced) { counters.raysShadow += traced ? 1U : 0U; }
+  void reportCappedPath() { ++counters.cappedPaths; }
+
+#include "lib/library.glsl"
+
+  /// What path.comp does for one lane: samples [firstSample, firstSample + count) of a pixel, summed in Float within
+  /// groups of kSamplesPerGroup, the groups merged in double.
+  void samplePixel(uint x, uint y, std::uint64_t firstSample, std::uint64_t count, PixelMoments& moments) {
+    const uint pixel = y * m_frame.width + x;
+    Vec3 mean(0);
+    Vec3 deviations(0);
+    uint inGroup = 0;
+    for (std::uint64_t i = firstSample; i < firstSample + count; ++i) {
+      const uint key = m_frame.seed ^ (static_cast<uint>(i >> 32U) * 0x9E3779B9U);
+      Path path = cameraPath(pixel, x, y, static_cast<uint>(i), key);
+      while (Li(path)) {
+      }
+      Vec3 L = path.L;
+      if (!(isFinite(L.x) && isFinite(L.y) && isFinite(L.z))) {
+        ++counters.nonFinite;
+        L = Vec3(0);
+      }
+      ++inGroup;
+      addSample(mean, deviations, Float(inGroup), L);
+      if (inGroup == kSamplesPerGroup || i + 1 == firstSample + count) {
+        moments.merge({inGroup, Vec3d(mean), Vec3d(deviations)});
+        mean = Vec3(0);
+        deviations = Vec3(0);
+        inGroup = 0;
+      }
+    }
+  }
+
+private:
+  static Float number(std::uint32_t bits) { return Float(std::bit_cast<float>(bits)); }
+  static Vec3 vector(const Texel& t) { return Vec3(number(t[0]), number(t[1]), number(t[2])); }
+  static Vec3 vector(const vec4& v) { return Vec3(v.x, v.y, v.z); }
+
+  const PackedScene* m_scene;
+  FrameConstants m_frame;
+};
+
+#include "host/render_with.inl"
+
+#undef INOUT
+#undef OUT
+#undef precise
+#undef CONSTANT

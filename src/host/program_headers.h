@@ -1,0 +1,21 @@
+#pragma once
+// What program.inl needs, to be included outside of the program's namespace.
+
+#include "device/device_scene.h"
+#include "film/film.h"
+#include "host/effect_flags.h"
+#include "host/reference.h"
+#include "shared/structs.h"
+
+#include <atomic>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <mutex>
+#include <stdexcept>
+#include <thread>
+#include <type_traits>
+#include <vector>
+
+#include <glm/glm.hpp>

@@ -1,0 +1,15 @@
+#include "host/reference.h"
+
+namespace vkpt {
+
+HostCounters& HostCounters::operator+=(const HostCounters& other) {
+  raysClosest += other.raysClosest;
+  raysShadow += other.raysShadow;
+  cappedPaths += other.cappedPaths;
+  nonFinite += other.nonFinite;
+  cutTraversal += other.cutTraversal;
+  stackOverflow += other.stackOverflow;
+  return *this;
+}
+
+} // namespace vkpt

@@ -1,0 +1,42 @@
+#pragma once
+// Renders on the host with the device's own estimator: in float, for sanitizers and debuggers, and in double,
+// the oracle. Same random numbers, same paths.
+
+#include "device/device_scene.h"
+#include "device/effects.h"
+#include "film/film.h"
+
+namespace vkpt {
+
+struct HostSettings {
+  EstimatorSettings estimator;
+  int width = 512;
+  int height = 512;
+  std::uint32_t seed = 0;
+};
+
+/// As the device's counters; faults are nonFinite, cutTraversal and stackOverflow.
+struct HostCounters {
+  std::uint64_t raysClosest = 0;
+  std::uint64_t raysShadow = 0;
+  std::uint64_t cappedPaths = 0;
+  std::uint64_t nonFinite = 0;
+  std::uint64_t cutTraversal = 0;
+  std::uint64_t stackOverflow = 0;
+  HostCounters& operator+=(const HostCounters& other);
+  [[nodiscard]] std::uint64_t faults() const { return nonFinite + cutTraversal + stackOverflow; }
+};
+
+struct HostRender {
+  Film film;
+  HostCounters counters;
+};
+
+/// `frames` samples for every pixel of `source` at the settings' size. The result does not depend on
+/// `threads`.
+HostRender renderHost32(const PackedScene& scene, const Scene& source, const EffectSet& effects,
+                        const HostSettings& settings, std::uint64_t frames, unsigned threads = 1);
+HostRender renderHost64(const PackedScene& scene, const Scene& source, const EffectSet& effects,
+                        const HostSettings& settings, std::uint64_t frames, unsigned threads = 1);
+
+} // namespace vkpt

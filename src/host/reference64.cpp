@@ -1,0 +1,16 @@
+#include "device/camera_frame.h"
+#include "host/program64.h"
+
+namespace vkpt {
+
+HostRender renderHost64(const PackedScene& scene, const Scene& source, const EffectSet& effects,
+                        const HostSettings& settings, std::uint64_t frames, unsigned threads) {
+  const shared::FrameConstants constants = frameConstants(source, scene.lightCount, settings.estimator,
+                                                          settings.width, settings.height, settings.seed);
+  const auto makeProgram = [&] {
+    return host64::Program<RuntimeEffects>(scene, constants, effects, settings.estimator.roulette);
+  };
+  return host64::renderWith(makeProgram, settings.width, settings.height, frames, threads);
+}
+
+} // namespace vkpt

@@ -1,0 +1,35 @@
+// Renders with a Program. Included by program.inl.
+
+/// Every pixel, rows dealt out to threads as they come for more; no result depends on their number.
+/// makeProgram: () -> Program<...>, one for each thread.
+template<class MakeProgram>
+HostRender renderWith(const MakeProgram& makeProgram, int width, int height, std::uint64_t frames,
+                      unsigned threads) {
+  HostRender render;
+  render.film = {width, height,
+                 std::vector<PixelMoments>(static_cast<std::size_t>(width) *
+                                           static_cast<std::size_t>(height))};
+  std::atomic<int> nextRow{0};
+  std::mutex counting;
+  const auto work = [&] {
+    auto program = makeProgram();
+    for (int y = nextRow++; y < height; y = nextRow++) {
+      for (int x = 0; x < width; ++x) {
+        auto& moments = render.film.pixels[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
+                                           static_cast<std::size_t>(x)];
+        program.samplePixel(static_cast<uint>(x), static_cast<uint>(y), 0, frames, moments);
+      }
+    }
+    const std::scoped_lock lock(counting);
+    render.counters += program.counters;
+  };
+  if (threads <= 1) {
+    work();
+    return render;
+  }
+  std::vector<std::jthread> workers;
+  for (unsigned i = 0; i < threads; ++i)
+    workers.emplace_back(work);
+  workers.clear(); // joins
+  return render;
+}

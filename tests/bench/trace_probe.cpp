@@ -1,0 +1,63 @@
+#include "trace_probe.h"
+
+#include "shared/structs.h"
+#include "spirv.h"
+
+namespace vkpt::spirv {
+extern const std::span<const std::uint32_t> kTrace;
+}
+
+namespace vkpt::bench {
+namespace {
+
+using namespace shared;
+using vk::DescriptorType;
+
+constexpr std::uint32_t kBindingRays = kBindingCount;
+constexpr std::uint32_t kBindingResults = kBindingCount + 1;
+constexpr std::uint32_t kConstantShadow = 66;
+
+constexpr auto kLayout = std::to_array<gpu::BindingLayout>({
+    {kBindingNodes, DescriptorType::eStorageTexelBuffer},
+    {kBindingTriangles, DescriptorType::eStorageTexelBuffer},
+    {kBindingRays, DescriptorType::eStorageTexelBuffer},
+    {kBindingResults, DescriptorType::eStorageBuffer},
+});
+
+} // namespace
+
+TraceProbe::TraceProbe(const gpu::Context& context, const DeviceScene& scene,
+                       const std::vector<RecordedRay>& rays, bool shadow)
+    : m_context(context), m_count(static_cast<std::uint32_t>(rays.size())),
+      m_bindings(context, kLayout, sizeof(Dispatch)),
+      m_pipeline(context, spirv::kTrace, m_bindings,
+                 {{kConstantStackSize, scene.stackSize}, {kConstantShadow, shadow ? 1U : 0U}}),
+      m_rays(context, "recorded rays", std::as_bytes(std::span{rays})),
+      m_results(context, "results", rays.size() * sizeof(float), vk::BufferUsageFlagBits::eStorageBuffer,
+                gpu::MemoryKind::Device) {
+  m_bindings.bind(context, kBindingNodes, scene.nodes);
+  m_bindings.bind(context, kBindingTriangles, scene.triangles);
+  m_bindings.bind(context, kBindingRays, m_rays);
+  m_bindings.bind(context, kBindingResults, m_results, DescriptorType::eStorageBuffer);
+  trace(); // the driver compiles at the first use
+}
+
+void TraceProbe::trace() const {
+  m_context.execute([&](const vk::raii::CommandBuffer& commands) {
+    Dispatch job{};
+    job.slotCount = m_count;
+    commands.bindPipeline(vk::PipelineBindPoint::eCompute, m_pipeline.handle());
+    commands.bindDescriptorSets(vk::PipelineBindPoint::eCompute, m_bindings.pipelineLayout(), 0,
+                                m_bindings.set(), {});
+    commands.pushConstants<Dispatch>(m_bindings.pipelineLayout(), vk::ShaderStageFlagBits::eCompute, 0, job);
+    commands.dispatch((m_count + kBlockPixels - 1) / kBlockPixels, 1, 1);
+  });
+}
+
+std::vector<float> TraceProbe::results() const {
+  std::vector<float> results(m_count);
+  m_results.read(m_context, std::as_writable_bytes(std::span{results}));
+  return results;
+}
+
+} // namespace vkpt::bench

@@ -1,0 +1,101 @@
+// Each known mistake (shaders/shared/mutations.h) is noticed by a named check.
+#include "scenes/check.h"
+#include "scenes/statistics.h"
+#include "scenes/test_shaders.h"
+
+#include <iostream>
+
+namespace vkpt::test {
+namespace {
+
+/// The check that is tried first; the others follow where it notices nothing.
+struct Watch {
+  Mutation mutation;
+  const char* check;
+};
+constexpr Watch kWatches[] = {
+    {Mutation::SurfaceCosineDropped, "litFloorByNee"},
+    {Mutation::LightCosineDropped, "litFloorByNee"},
+    {Mutation::InversePiDropped, "litFloorByNee"},
+    {Mutation::DistanceNotSquared, "litFloorByNee"},
+    {Mutation::SurvivalNotDivided, "furnaceByThroughput"},
+    {Mutation::LightAreaDropped, "litFloorByNee"},
+    {Mutation::LightChoiceDropped, "litFloorByNee"},
+    {Mutation::AliasIgnored, "unequalLights"},
+    {Mutation::EmissionTwice, "litFloorByNee"},
+    {Mutation::BackEmits, "emitterBack"},
+    {Mutation::BackSampled, "litFromBehind"},
+    {Mutation::UniformHemisphere, "litFloorByBsdf"},
+    {Mutation::TriangleWarp, "litFloorByNee"},
+    {Mutation::AlwaysReflects, "refractedRay"},
+    {Mutation::NeverReflects, "refractedRay"},
+    {Mutation::FresnelOnePolarisation, "refractedRay"},
+    {Mutation::EtaInverted, "refractedRay"},
+    {Mutation::GlassAlwaysEntered, "glassSlab"},
+    {Mutation::ConductorAbsorptionDropped, "metalPlate"},
+    {Mutation::MirrorWeightDropped, "mirrorOfEmitter"},
+    {Mutation::OcclusionIgnored, "shadowed"},
+    {Mutation::OffsetDropped, "coincidentTwins"},
+    {Mutation::OffsetInward, "litFloorByNee"},
+    {Mutation::RouletteCapped, "furnaceByThroughput"},
+    {Mutation::LightBlockReused, "lightAndBsdfIndependent"},
+    {Mutation::NextLightBlockReused, "twoBouncesByNee"},
+    {Mutation::SampleIgnored, "samplesDiffer"},
+    {Mutation::BounceLimitOffByOne, "furnaceByBounces"},
+    {Mutation::BackgroundTwice, "backgroundOnly"},
+    {Mutation::ThroughputDropped, "mirrorOfEmitter"},
+    {Mutation::DirectThroughputDropped, "neeAgainstBsdf"},
+    {Mutation::PixelNotJittered, "imageLayout"},
+    {Mutation::ImageFlipped, "imageLayout"},
+    {Mutation::CarriedEmitLost, "carriedPaths"},
+    {Mutation::CarriedThroughputLost, "carriedPaths"},
+    {Mutation::TooFewSamplesInMean, "filmOfSamples"},
+    {Mutation::DeviationsFromOldMean, "filmOfSamples"},
+    {Mutation::ExcludeDropped, "glassSlab"},
+    {Mutation::MergeMeanUnweighted, "mergedGroups"},
+    {Mutation::MergeBetweenDropped, "mergedGroups"},
+    {Mutation::MergeLowDropped, "mergedGroups"},
+};
+
+std::vector<Check> checksFor(Mutation mutation) {
+  std::vector<Check> checks = allChecks();
+  for (const Watch& w : kWatches) {
+    if (w.mutation != mutation)
+      continue;
+    std::ranges::stable_partition(checks, [&](const Check& c) { return std::string(c.name) == w.check; });
+  }
+  return checks;
+}
+
+std::vector<std::string> failuresOf(const Check& check, const MutationInfo& mutation) {
+  Trial trial(check.name, {static_cast<std::uint32_t>(mutation.mutation), true});
+  check.run(trial);
+  return trial.failures();
+}
+
+class Mutations : public RenderTest, public testing::WithParamInterface<MutationInfo> {};
+
+TEST_P(Mutations, IsNoticed) {
+  for (const Check& check : checksFor(GetParam().mutation)) {
+    const std::vector<std::string> failures = failuresOf(check, GetParam());
+    if (failures.empty())
+      continue;
+    std::cout << GetParam().name << " (" << GetParam().what << ") is noticed by " << failures[0] << '\n';
+    return;
+  }
+  ADD_FAILURE() << GetParam().name << " (" << GetParam().what << ") is noticed by no check";
+}
+
+INSTANTIATE_TEST_SUITE_P(Of, Mutations, testing::ValuesIn(kMutations),
+                         [](const auto& test) { return std::string(test.param.name); });
+
+/// The kernel that carries the switch is the shipped one while it is off.
+TEST_F(RenderTest, TestBuildOfTheKernelIsTheShippedOne) {
+  RenderSetup setup{.estimator = lightSampling(), .width = 32, .height = 32, .frames = 20};
+  const Film shipped = render(twoLightRoom(), setup).film;
+  setup.kernel.testBuild = true;
+  EXPECT_TRUE(identical(shipped, render(twoLightRoom(), setup).film));
+}
+
+} // namespace
+} // namespace vkpt::test
