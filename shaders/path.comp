@@ -93,6 +93,10 @@ void finishSample(inout Work work, vec3 L) {
   addSample(work.mean, work.deviations, n, L);
 }
 
+// Whether enough lanes of the subgroup are still at work. The others' places are filled again by the next
+// dispatch, which packs the unfinished slots; the last few go on to their end.
+bool wellFilled() { return job.packs == 0u || 4u * subgroupAdd(1u) >= 3u * gl_SubgroupSize; }
+
 void main() {
   Work work;
   Path path;
@@ -106,7 +110,7 @@ void main() {
       }
       g_steps += 1u;
       working = work.done < job.sampleCount;
-    } while (working && g_steps < kStepBudget);
+    } while (working && g_steps < kStepBudget && wellFilled());
   }
   if (started) savePath(work, path);
   if (working) {

@@ -112,5 +112,6 @@ void mergeGroup(INOUT(Pair) mean, INOUT(Pair) deviations, uint nA, Float meanB, 
   Pair between = multiplyPairs(multiplyPairs(delta, delta), multiplyPairs(share, pairFromCount(nA)));
   Pair next = addPairs(mean, multiplyPairs(delta, share));
   mean = makePair(next.high, MUTATE(MergeLowDropped, next.low, 0.0));
-  deviations = addPairs(deviations, MUTATE(MergeBetweenDropped, addPairs(makePair(deviationsB, 0.0), between), makePair(deviationsB, 0.0)));
+  Pair within = makePair(deviationsB, 0.0);
+  deviations = addPairs(deviations, MUTATE(MergeBetweenDropped, addPairs(within, between), within));
 }

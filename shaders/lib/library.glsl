@@ -4,8 +4,12 @@
 #include "frame.glsl"
 #include "ray.glsl"
 #include "triangle.glsl"
+#ifdef VKPT_FOREIGN_TRAVERSAL // a host program with another traversal: tests/bench/yardstick.cpp
+#include VKPT_FOREIGN_TRAVERSAL
+#else
 #include "stack.glsl"
 #include "traverse.glsl"
+#endif
 #include "bsdf.glsl"
 #include "bsdf_diffuse.glsl"
 #include "bsdf_mirror.glsl"

@@ -75,9 +75,11 @@ Vec3 sampleDirect(Surface s, UVec4 random) {
   shadow.o = origin;
   shadow.d = span / distance;
   shadow.exclude = kNoTriangle;
-  bool visible = facing && MUTATE(OcclusionIgnored, !traceOccluded(shadow, facing ? distance : 0.0, light.triangle), true);
+  bool occluded = traceOccluded(shadow, facing ? distance : 0.0, light.triangle);
+  bool visible = facing && MUTATE(OcclusionIgnored, !occluded, true);
   Float cosines = MUTATE(SurfaceCosineDropped, cosSurface, 1.0) * MUTATE(LightCosineDropped, cosLight, 1.0);
-  return visible ? diffuseF(s.m) * light.L * (cosines / (MUTATE(DistanceNotSquared, r2, sqrt(r2)) * light.pdf_A)) : Vec3(0.0);
+  Float falloff = MUTATE(DistanceNotSquared, r2, sqrt(r2));
+  return visible ? diffuseF(s.m) * light.L * (cosines / (falloff * light.pdf_A)) : Vec3(0.0);
 }
 
 // Extends the path by one vertex. Returns whether it goes on.
@@ -91,12 +93,16 @@ bool Li(INOUT(Path) path) {
     Surface s = surfaceAt(hit, wo);
 
     // EMISSION: L += beta Le, unless the vertex before has sampled the emitters itself.
-    if (kEffectAreaLights && path.emit && MUTATE(BackEmits, s.front, true)) path.L += MUTATE(ThroughputDropped, path.beta, Vec3(1.0)) * s.m.emission;
-    if (kEffectBounceLimit && path.bounce >= MUTATE(BounceLimitOffByOne, maxBounces(), maxBounces() + 1u)) goesOn = false;
+    if (kEffectAreaLights && path.emit && MUTATE(BackEmits, s.front, true)) {
+      path.L += MUTATE(ThroughputDropped, path.beta, Vec3(1.0)) * s.m.emission;
+    }
+    uint bounceLimit = MUTATE(BounceLimitOffByOne, maxBounces(), maxBounces() + 1u);
+    if (kEffectBounceLimit && path.bounce >= bounceLimit) goesOn = false;
 
     // DIRECT: next event estimation at diffuse surfaces.
     if (kEffectLightSampling && goesOn) {
-      path.L += MUTATE(DirectThroughputDropped, path.beta, Vec3(1.0)) * sampleDirect(s, randomBlock(path.pixel, path.sampleLow, blockLight(path.bounce), path.key));
+      UVec4 lightRandom = randomBlock(path.pixel, path.sampleLow, blockLight(path.bounce), path.key);
+      path.L += MUTATE(DirectThroughputDropped, path.beta, Vec3(1.0)) * sampleDirect(s, lightRandom);
     }
 
     // INDIRECT: one direction from the BSDF; the emission it finds counts if no light sample could have found it.
@@ -106,7 +112,7 @@ bool Li(INOUT(Path) path) {
     path.emit = MUTATE(EmissionTwice, b.specular || !kEffectLightSampling, true);
     path.ray.o = offsetRayOrigin(s.p, s.error, s.ng, b.wi);
     path.ray.d = b.wi;
-    path.ray.exclude = MUTATE(ExcludeDropped, hit.triangle, kNoTriangle);
+    path.ray.exclude = hit.triangle;
     path.bounce += 1u;
 
     // ROULETTE: survivors stand for those that ended. The probability has no cap below 1, which would give
@@ -116,9 +122,10 @@ bool Li(INOUT(Path) path) {
       survivalProbability =
           min(1.0, kRouletteMode == kRouletteAlbedo ? meanComponent(b.weight) : maxComponent(beta));
     }
-    goesOn = goesOn && maxComponent(beta) > 0.0 && toUnit(random.w) < MUTATE(RouletteCapped, survivalProbability, min(survivalProbability, 0.5));
+    bool survives = toUnit(random.w) < MUTATE(RouletteCapped, survivalProbability, min(survivalProbability, 0.5));
+    goesOn = goesOn && maxComponent(beta) > 0.0 && survives;
     path.beta = beta / MUTATE(SurvivalNotDivided, survivalProbability, 1.0);
-    if (kEffectBounceLimit && path.bounce >= MUTATE(BounceLimitOffByOne, maxBounces(), maxBounces() + 1u) && !path.emit) goesOn = false;
+    if (kEffectBounceLimit && path.bounce >= bounceLimit && !path.emit) goesOn = false;
     if (goesOn && path.bounce >= kBounceCap) {
       reportCappedPath();
       goesOn = false;

@@ -18,10 +18,11 @@ struct Hit {
 };
 
 // How far rounding may have moved a point interpolated on a triangle, and a triangle's plane as a later ray sees
-// it, along each axis: a few ulp of the corners' coordinates (Pharr, Jakob, Humphreys, PBRT 4th ed., 6.8.5: 7 ulp
-// for the interpolation; the rest covers the translation and shear of the next intersection).
+// it, along each axis: a few ulp of the corners' largest coordinate (Pharr, Jakob, Humphreys, PBRT 4th ed., 6.8.5:
+// 7 ulp for the interpolation; the rest covers the translation and projection of the next intersection, which mixes
+// the axes: a plane z = 0 is met at z = 0, but at a distance that x and y round).
 Vec3 positionError(Vec3 v0, Vec3 v1, Vec3 v2) {
-  return (16.0 * kEpsilon) * max(abs(v0), max(abs(v1), abs(v2)));
+  return Vec3((16.0 * kEpsilon) * maxComponent(max(abs(v0), max(abs(v1), abs(v2)))));
 }
 
 // Moves p off its surface to the side that w points to, far enough that no rounding puts it on the other side.

@@ -1,5 +1,6 @@
-// Known mistakes, one line each: X(id, Name, what is broken). A test build (VKPT_MUTATIONS) can switch one on;
-// tests/scenes shows that each is noticed. In every other build MUTATE is its right side and nothing else.
+// Known mistakes, one line each: X(id, Name, what is broken). A test build (VKPT_MUTATIONS) can switch one
+// on; tests/scenes shows that each is noticed. In every other build MUTATE is its right side and nothing
+// else.
 #ifndef VKPT_SHARED_MUTATIONS_H
 #define VKPT_SHARED_MUTATIONS_H
 
@@ -43,8 +44,7 @@
   X(37, DeviationsFromOldMean, "the film's deviations use the old mean twice")                               \
   X(38, MergeMeanUnweighted, "groups of samples merge as if equally large")                                  \
   X(39, MergeBetweenDropped, "merged deviations lack the spread between the groups")                         \
-  X(40, MergeLowDropped, "the film's pairs of floats lose their low half")                                  \
-  X(41, ExcludeDropped, "a ray may meet the triangle it starts from")
+  X(40, MergeLowDropped, "the film's pairs of floats lose their low half")
 
 #ifdef VKPT_MUTATIONS
 layout(constant_id = 127) const uint kMutation = 0u;

@@ -115,6 +115,7 @@ struct Dispatch {
   uint sampleCount; // samples a pixel in this batch; never straddles a group
   uint fresh;         // 1: start the batch; 0: go on with the saved states of the listed slots
   uint listed;        // how many slots are listed, if not fresh
+  uint packs;         // 1: a subgroup stops when a quarter of its lanes have run out of work
   uint listTurn;      // 0 or 1: the list this dispatch writes; it reads the other one
 };
 

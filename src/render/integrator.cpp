@@ -28,6 +28,9 @@ constexpr auto kLayout = std::to_array<gpu::BindingLayout>({
 });
 static_assert(kLayout.size() == kBindingCount);
 
+/// Slots left below which another dispatch costs more than idle lanes do.
+constexpr std::uint32_t kLeastWorthPacking = 256;
+
 gpu::SpecialisationMap specialise(const EffectSet& effects, const IntegratorSettings& settings,
                                   std::uint32_t stack) {
   gpu::SpecialisationMap constants = settings.extraConstants;
@@ -133,11 +136,13 @@ std::uint64_t Integrator::renderTile(const Tile& tile, std::uint64_t firstSample
   job.firstSampleHigh = static_cast<std::uint32_t>(firstSample >> 32U);
   job.sampleCount = count;
   job.fresh = 1;
+  job.packs = 1;
   reserveSlots(job.slotCount);
   // Every dispatch takes each unfinished path at least one vertex further, and no path is longer than
   // kBounceCap.
   while ((job.listed = tracePaths(job).unfinished) > 0) {
     job.fresh = 0;
+    job.packs = job.listed > kLeastWorthPacking ? 1 : 0;
     job.listTurn ^= 1U;
   }
   if (count > 0)
