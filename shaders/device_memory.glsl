@@ -86,7 +86,7 @@ film[kFilmPlanes];
 layout(push_constant) uniform DispatchBlock { Dispatch job; };
 
 // --- what the library reports, per lane, summed up at the end of the dispatch ---
-uint g_steps = 0u; // traversal steps so far: the same for every lane that is still at work
+uint g_steps = 0u; // traversal steps of the subgroup so far
 uint g_raysClosest = 0u;
 uint g_raysShadow = 0u;
 uint g_cutTraversals = 0u;

@@ -108,7 +108,7 @@ void main() {
         finishSample(work, path.L);
         path = nextPath(work);
       }
-      g_steps += 1u;
+      g_steps = subgroupMaximum(g_steps + 1u); // lanes that cast no shadow ray pay for those that did
       working = work.done < job.sampleCount;
     } while (working && g_steps < kStepBudget && wellFilled());
   }

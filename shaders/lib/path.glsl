@@ -75,8 +75,8 @@ Vec3 sampleDirect(Surface s, UVec4 random) {
   shadow.o = origin;
   shadow.d = span / distance;
   shadow.exclude = kNoTriangle;
-  bool occluded = traceOccluded(shadow, facing ? distance : 0.0, light.triangle);
-  bool visible = facing && MUTATE(OcclusionIgnored, !occluded, true);
+  bool visible = facing && MUTATE(OcclusionIgnored,
+                                  !traceOccluded(shadow, facing ? distance : 0.0, light.triangle), true);
   Float cosines = MUTATE(SurfaceCosineDropped, cosSurface, 1.0) * MUTATE(LightCosineDropped, cosLight, 1.0);
   Float falloff = MUTATE(DistanceNotSquared, r2, sqrt(r2));
   return visible ? diffuseF(s.m) * light.L * (cosines / (falloff * light.pdf_A)) : Vec3(0.0);

@@ -52,8 +52,8 @@ vec3 xyz(vec4 v) { return v.xyz; }
 // By bit pattern: isnan() and isinf() may be assumed away by a driver.
 bool isFinite(float x) { return (floatBitsToUint(x) & 0x7F800000u) != 0x7F800000u; }
 uint orderKey(float x) { return floatBitsToUint(x); }
-// Minimum and maximum of distances along a ray, by their bits as integers: one instruction where NaN rules cost
-// three. Numbers below 0 only stay below 0, which is all that a slab test needs.
+// Minimum and maximum of distances along a ray, by their bits as integers: one instruction where NaN rules
+// cost three. Numbers below 0 only stay below 0, which is all that a slab test needs.
 vec4 slabMin(vec4 a, vec4 b) { return intBitsToFloat(min(floatBitsToInt(a), floatBitsToInt(b))); }
 vec4 slabMax(vec4 a, vec4 b) { return intBitsToFloat(max(floatBitsToInt(a), floatBitsToInt(b))); }
 uint subgroupMaximum(uint x) { return subgroupMax(x); }

@@ -25,7 +25,7 @@ VKPT_CONSTANT uint kBindingLights = 5u;    // texel buffer: 4 texels a light
 VKPT_CONSTANT uint kBindingPaths = 6u;     // storage: saved path states, plane by plane
 VKPT_CONSTANT uint kBindingCounters = 7u;  // storage: Counters
 VKPT_CONSTANT uint kBindingFilm = 8u;      // storage[kFilmPlanes]: the film, one buffer a plane
-VKPT_CONSTANT uint kBindingSlots = 9u;      // storage: slots with samples still to do, two lists in turn
+VKPT_CONSTANT uint kBindingSlots = 9u;     // storage: slots with samples still to do, two lists in turn
 VKPT_CONSTANT uint kBindingCount = 10u;
 
 // --- texels a record takes ---
@@ -56,9 +56,10 @@ VKPT_CONSTANT uint kSamplesPerGroup =
 VKPT_CONSTANT uint kBounceCap = 10000u; // ends paths trapped by total internal reflection; counted
 
 // lavapipe ends ALL loops of a subgroup together, in silence, after 65 535 iterations
-// (LP_MAX_TGSI_LOOP_ITERATIONS). A traversal step is one iteration of a loop with two loops inside, of at most
-// kNodesPerStep and kLeafTriangles iterations; a vertex starts only below kStepBudget and its two traversals take
-// at most kMaxTraversalSteps each. So the limit is never met: (2200 + 1 + 2 * 2500) * (1 + 4 + 4) < 65535.
+// (LP_MAX_TGSI_LOOP_ITERATIONS). A traversal step is one iteration of a loop with two loops inside, of at
+// most kNodesPerStep and kLeafTriangles iterations; a vertex starts only below kStepBudget and its two
+// traversals take at most kMaxTraversalSteps each. So the limit is never met: (2200 + 1 + 2 * 2500) * (1 + 4
+// + 4) < 65535.
 VKPT_CONSTANT uint kMaxStackDepth = 48u; // levels of the tree, and one
 VKPT_CONSTANT uint kNodesPerStep = 4u;
 VKPT_CONSTANT uint kLeafTriangles = 4u; // vkpt::kMaxLeafTriangles
@@ -113,10 +114,10 @@ struct Dispatch {
   uint firstSample; // low 32 bits of the sample index
   uint firstSampleHigh;
   uint sampleCount; // samples a pixel in this batch; never straddles a group
-  uint fresh;         // 1: start the batch; 0: go on with the saved states of the listed slots
-  uint listed;        // how many slots are listed, if not fresh
-  uint packs;         // 1: a subgroup stops when a quarter of its lanes have run out of work
-  uint listTurn;      // 0 or 1: the list this dispatch writes; it reads the other one
+  uint fresh;       // 1: start the batch; 0: go on with the saved states of the listed slots
+  uint listed;      // how many slots are listed, if not fresh
+  uint packs;       // 1: a subgroup stops when a quarter of its lanes have run out of work
+  uint listTurn;    // 0 or 1: the list this dispatch writes; it reads the other one
 };
 
 #ifdef __cplusplus

@@ -1,14 +1,17 @@
 #include "app/options.h"
 
-#include "scene/load.h"
+#include "app/option_values.h"
+#include "scene/names.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
-#include <charconv>
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <functional>
 #include <iostream>
+#include <numbers>
 
 namespace vkpt {
 namespace {
@@ -27,151 +30,220 @@ constexpr const char* kExamples =
     "Exit codes: 0 done, 1 usage, 2 scene, 3 device, 5 faults were counted, 75 interrupted (what was done is "
     "written)";
 
-/// Comma-separated finite numbers, exactly `count` of them.
-std::vector<double> parseNumbers(const std::string& option, const std::string& text, std::size_t count,
-                                 const char* right) {
-  std::vector<double> values;
-  const char* p = text.data();
-  const char* const end = p + text.size();
-  while (p <= end) {
-    double v = 0.0;
-    const auto [next, error] = std::from_chars(p, end, v);
-    if (error != std::errc{} || !std::isfinite(v) || (next != end && *next != ','))
-      break;
-    values.push_back(v);
-    p = next + 1;
-  }
-  if (values.size() != count || p != end + 1) {
-    throw UsageError(fmt::format("{} '{}': expected {}", option, text, right));
-  }
-  return values;
+// In the order of the enumerators.
+constexpr std::array<std::string_view, 2> kLightNames{"nee", "bsdf"};
+constexpr std::array<std::string_view, 2> kRouletteNames{"albedo", "throughput"};
+constexpr std::array<std::string_view, 3> kTonemapNames{"none", "srgb", "aces"};
+
+template<std::size_t N, class Enum>
+std::string_view nameOf(const std::array<std::string_view, N>& names, Enum value) {
+  return names.at(static_cast<std::size_t>(value));
+}
+
+double horizontalFov(const Scene& scene) {
+  const Camera& c = scene.camera;
+  if (c.fovAxis == Camera::FovAxis::Horizontal)
+    return c.fovDegrees;
+  constexpr double kDegree = std::numbers::pi / 180.0;
+  const double aspect = static_cast<double>(scene.width) / static_cast<double>(scene.height);
+  return 2.0 * std::atan(std::tan(0.5 * c.fovDegrees * kDegree) * aspect) / kDegree;
+}
+
+constexpr std::uint64_t kLargest32 = 0xFFFFFFFF;
+constexpr double kLargestRadiance = 1e12; // products of a few stay in the range of float, as in MTL files
+
+using Handler = std::function<void(const std::string&)>;
+
+/// An option whose value `handle` parses. `kind` names the value in the help.
+CLI::Option* addValue(CLI::App& app, const std::string& name, const char* kind, const Handler& handle,
+                      const std::string& description) {
+  return app.add_option_function<std::string>(name, handle, description)->type_name(kind);
 }
 
 Vec3d vector3(const std::vector<double>& v, std::size_t at = 0) { return {v[at], v[at + 1], v[at + 2]}; }
 
-std::pair<int, int> parseSize(const std::string& text) {
-  int width = 0;
-  int height = 0;
-  const char* const end = text.data() + text.size();
-  const auto w = std::from_chars(text.data(), end, width);
-  if (w.ec == std::errc{} && w.ptr != end && *w.ptr == 'x') {
-    const auto h = std::from_chars(w.ptr + 1, end, height);
-    if (h.ec == std::errc{} && h.ptr == end && width > 0 && height > 0)
-      return {width, height};
-  }
-  throw UsageError(fmt::format("--size '{}': expected WxH with both above 0, e.g. 512x512", text));
-}
-
-std::uint32_t parseBounces(const std::string& text) {
-  if (text == "inf")
-    return kUnlimitedBounces;
-  std::uint32_t n = 0;
-  const char* const end = text.data() + text.size();
-  const auto [next, error] = std::from_chars(text.data(), end, n);
-  if (error != std::errc{} || next != end || n == kUnlimitedBounces) {
-    throw UsageError(fmt::format("--max-bounces '{}': expected a whole number, or inf", text));
-  }
-  return n;
-}
-
-/// Text options that are parsed after CLI11 has collected them.
-struct RawOptions {
-  std::string size, lookAt, up, background, bounces = "inf";
-  bool quiet = false, verbose = false, noProgress = false, listScenes = false;
-};
-
 void addStopOptions(CLI::App& app, RenderOptions& o) {
-  app.add_option("--frames", o.job.frames,
-                 "iterations: samples for every pixel (default: the scene's own, else 64)")
-      ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{0xFFFFFFFF}));
-  app.add_option("--time", o.job.seconds, "stop after this many seconds of rendering")
-      ->check(CLI::PositiveNumber);
-  app.add_option("--target-error", o.job.targetError, "stop when the image's relative error is at most this")
-      ->check(CLI::PositiveNumber);
-  app.add_option("--batch", o.job.batch, "frames per dispatch; never changes the image")
-      ->check(CLI::Range(1U, shared::kSamplesPerGroup))
-      ->capture_default_str();
-  app.add_option("--tile-blocks", o.job.tileBlocks,
-                 "8x8 blocks per dispatch, 0: by measured time; never changes the image")
-      ->check(CLI::Range(0U, 16384U))
-      ->capture_default_str();
+  addValue(
+      app, "--frames", "N",
+      [&o](const auto& text) { o.job.frames = parseWhole("--frames", text, 1, kLargest32); },
+      "iterations: samples for every pixel (default: the scene's own, else 64)");
+  addValue(
+      app, "--time", "S",
+      [&o](const auto& text) { o.job.seconds = parsePositive("--time", text, "seconds, above 0"); },
+      "stop after this many seconds of rendering");
+  addValue(
+      app, "--target-error", "E",
+      [&o](const auto& text) {
+        o.job.targetError = parsePositive("--target-error", text, "a relative error above 0, e.g. 0.02");
+      },
+      "stop when the image's relative error is at most this");
+  addValue(
+      app, "--batch", "N",
+      [&o](const auto& text) {
+        o.job.batch = static_cast<std::uint32_t>(parseWhole("--batch", text, 1, shared::kSamplesPerGroup));
+      },
+      "frames per dispatch, 1 to 16 (default 16); never changes the image");
+  addValue(
+      app, "--tile-blocks", "N",
+      [&o](const auto& text) {
+        o.job.tileBlocks = static_cast<std::uint32_t>(parseWhole("--tile-blocks", text, 0, 16384));
+      },
+      "8x8 blocks per dispatch, 0: by measured time (default 0); never changes the image");
 }
 
-void addEstimatorOptions(CLI::App& app, RenderOptions& o, RawOptions& raw) {
-  static const std::map<std::string, LightStrategy> kLight{{"nee", LightStrategy::Nee},
-                                                           {"bsdf", LightStrategy::Bsdf}};
-  static const std::map<std::string, RouletteMode> kRoulette{{"albedo", RouletteMode::Albedo},
-                                                             {"throughput", RouletteMode::Throughput}};
-  app.add_option("--light", o.estimator.light,
-                 "how emitters are found: nee (light sampling) or bsdf (default nee)")
-      ->transform(CLI::Transformer(kLight, CLI::ignore_case).description("nee|bsdf"));
-  app.add_option("--max-bounces", raw.bounces, "0: emitted light only, 1: + direct light, ...; or inf")
-      ->capture_default_str();
-  app.add_option("--roulette", o.estimator.roulette,
-                 "survive with the surface's albedo or the path's throughput "
-                 "(default throughput)")
-      ->transform(CLI::Transformer(kRoulette, CLI::ignore_case).description("albedo|throughput"));
-  app.add_option(
-      "--roulette-after", o.estimator.rouletteAfter,
+void addEstimatorOptions(CLI::App& app, RenderOptions& o) {
+  EstimatorSettings& e = o.estimator;
+  addValue(
+      app, "--light", "nee|bsdf",
+      [&e](const auto& text) {
+        e.light = static_cast<LightStrategy>(parseName("--light", text, kLightNames));
+      },
+      "how emitters are found: light sampling or BSDF sampling (default nee)");
+  addValue(
+      app, "--max-bounces", "N|inf",
+      [&e](const auto& text) {
+        e.maxBounces =
+            text == "inf"
+                ? kUnlimitedBounces
+                : static_cast<std::uint32_t>(parseWhole("--max-bounces", text, 0, kUnlimitedBounces - 1));
+      },
+      "0: emitted light only, 1: + direct light, ... (default inf); biases the image");
+  addValue(
+      app, "--roulette", "albedo|throughput",
+      [&e](const auto& text) {
+        e.roulette = static_cast<RouletteMode>(parseName("--roulette", text, kRouletteNames));
+      },
+      "survive with the surface's albedo or the path's throughput (default throughput)");
+  addValue(
+      app, "--roulette-after", "N",
+      [&e](const auto& text) {
+        e.rouletteAfter = static_cast<std::uint32_t>(parseWhole("--roulette-after", text, 0, kLargest32));
+      },
       "first bounce after whose direct light roulette may end a path (default: albedo 1, throughput 3)");
-  app.add_option("--seed", o.seed, "of the random numbers")->capture_default_str();
-  app.add_option("--background", raw.background, "radiance R,G,B of rays that leave the scene (default 0)");
+  addValue(
+      app, "--seed", "N",
+      [&o](const auto& text) {
+        o.seed = static_cast<std::uint32_t>(parseWhole("--seed", text, 0, kLargest32));
+      },
+      "of the random numbers (default 0)");
+  addValue(
+      app, "--background", "R,G,B",
+      [&o](const auto& text) {
+        constexpr const char* kRight = "three radiances R,G,B from 0 to 1e12";
+        const auto v = parseList("--background", text, 3, kRight);
+        if (std::ranges::any_of(v, [](double c) { return c < 0.0 || c > kLargestRadiance; }))
+          refuseValue("--background", text, kRight);
+        o.background = Vec3f(vector3(v));
+      },
+      "radiance of rays that leave the scene (default 0)");
 }
 
-void addImageOptions(CLI::App& app, RenderOptions& o, RawOptions& raw) {
-  static const std::map<std::string, Tonemap> kTonemap{
-      {"none", Tonemap::None}, {"srgb", Tonemap::Srgb}, {"aces", Tonemap::Aces}};
-  app.add_option("--size", raw.size, "image size WxH (default: the scene's, else 512x512)");
+void addImageOptions(CLI::App& app, RenderOptions& o) {
+  addValue(
+      app, "--size", "WxH", [&o](const auto& text) { o.size = parseSize("--size", text); },
+      "image size (default: the scene's, else 512x512)");
   app.add_option("-o,--output", o.outputs,
                  "image file: .png, .exr, .hdr or .pfm; may be repeated (default vkpt.png)")
       ->expected(1)
-      ->take_all();
-  app.add_option("--exposure", o.display.exposureStops, "in stops, for .png only")->capture_default_str();
-  app.add_option("--tonemap", o.display.tonemap, "for .png only (default srgb)")
-      ->transform(CLI::Transformer(kTonemap, CLI::ignore_case).description("none|srgb|aces"));
-  app.add_option("--look-at", raw.lookAt,
-                 "camera EX,EY,EZ,TX,TY,TZ: eye and target (default: fitted to the scene)");
-  app.add_option("--up", raw.up, "camera's up vector X,Y,Z");
-  app.add_option("--fov", o.fovDegrees, "horizontal field of view, degrees");
+      ->take_all()
+      ->type_name("FILE");
+  addValue(
+      app, "--exposure", "STOPS",
+      [&o](const auto& text) {
+        o.display.exposureStops = parseFinite("--exposure", text, "a finite number of stops, e.g. -1.5");
+      },
+      "for .png only (default 0)");
+  addValue(
+      app, "--tonemap", "none|srgb|aces",
+      [&o](const auto& text) {
+        o.display.tonemap = static_cast<Tonemap>(parseName("--tonemap", text, kTonemapNames));
+      },
+      "for .png only (default srgb)");
 }
 
-void addRunOptions(CLI::App& app, RenderOptions& o, RawOptions& raw) {
+void addCameraOptions(CLI::App& app, RenderOptions& o) {
+  addValue(
+      app, "--look-at", "EX,EY,EZ,TX,TY,TZ",
+      [&o](const auto& text) {
+        constexpr const char* kRight = "eye and target, two different points, EX,EY,EZ,TX,TY,TZ";
+        const auto v = parseList("--look-at", text, 6, kRight);
+        if (vector3(v) == vector3(v, 3))
+          refuseValue("--look-at", text, kRight);
+        o.lookAt = {vector3(v), vector3(v, 3)};
+      },
+      "camera: eye and target (default: fitted to the scene)");
+  addValue(
+      app, "--up", "X,Y,Z",
+      [&o](const auto& text) {
+        constexpr const char* kRight = "a direction X,Y,Z other than 0,0,0";
+        o.up = vector3(parseList("--up", text, 3, kRight));
+        if (o.up == Vec3d(0.0))
+          refuseValue("--up", text, kRight);
+      },
+      "the camera's up vector (default 0,1,0)");
+  addValue(
+      app, "--fov", "DEG",
+      [&o](const auto& text) {
+        constexpr const char* kRight = "degrees above 0 and below 180";
+        o.fovDegrees = parsePositive("--fov", text, kRight);
+        if (!(*o.fovDegrees < 180.0))
+          refuseValue("--fov", text, kRight);
+      },
+      "horizontal field of view");
+}
+
+struct Flags {
+  bool quiet = false, verbose = false, noProgress = false, listScenes = false;
+};
+
+void addRunOptions(CLI::App& app, RenderOptions& o, Flags& flags) {
   app.add_option("--device", o.device,
-                 "Vulkan device, by index or part of its name (default: a discrete GPU, else any)");
-  app.add_option("--stats", o.stats, "write the run's figures as JSON");
+                 "Vulkan device, by index or part of its name (default: a discrete GPU, else any)")
+      ->type_name("NAME|INDEX");
+  addValue(
+      app, "--stats", "FILE.json",
+      [&o](const auto& text) {
+        o.stats = text;
+        if (o.stats.extension() != ".json") // else `--stats scene.obj` would write over the scene
+          refuseValue("--stats", text, "a name that ends in .json");
+      },
+      "write the run's figures");
   app.add_flag("--strict", o.strict, "warnings about a scene are errors");
   app.add_flag("--validation", o.validation, "turn the Vulkan validation layer on; a message is an error");
-  app.add_flag("--quiet", raw.quiet, "errors only");
-  app.add_flag("--verbose", raw.verbose, "say more, e.g. every option as it was expanded");
-  app.add_flag("--no-progress", raw.noProgress, "no progress line");
-  app.add_flag("--list-scenes", raw.listScenes, "list the built-in scenes");
+  app.add_flag("--quiet", flags.quiet, "errors only");
+  app.add_flag("--verbose", flags.verbose, "say more, e.g. every option as it was expanded");
+  app.add_flag("--no-progress", flags.noProgress, "no progress line");
+  app.add_flag("--list-scenes", flags.listScenes, "list the built-in scenes");
 }
 
-void interpret(const RawOptions& raw, RenderOptions& o) {
-  if (!raw.size.empty())
-    o.size = parseSize(raw.size);
-  o.estimator.maxBounces = parseBounces(raw.bounces);
-  if (!raw.lookAt.empty()) {
-    const auto v = parseNumbers("--look-at", raw.lookAt, 6, "six numbers EX,EY,EZ,TX,TY,TZ");
-    o.lookAt = {vector3(v), vector3(v, 3)};
-  }
-  if (!raw.up.empty())
-    o.up = vector3(parseNumbers("--up", raw.up, 3, "three numbers X,Y,Z"));
-  if (!raw.background.empty()) {
-    const auto v = parseNumbers("--background", raw.background, 3, "three radiances R,G,B");
-    o.background = Vec3f(vector3(v));
-    if (v[0] < 0.0 || v[1] < 0.0 || v[2] < 0.0) {
-      throw UsageError(fmt::format("--background '{}': a radiance can't be negative", raw.background));
-    }
-  }
-  if (!std::isfinite(o.display.exposureStops))
-    throw UsageError("--exposure: expected a finite number of stops");
-  if (raw.quiet && raw.verbose)
-    throw UsageError("--quiet and --verbose contradict each other");
-  o.log = raw.quiet ? LogLevel::Quiet : raw.verbose ? LogLevel::Verbose : LogLevel::Normal;
-  o.progress = !raw.noProgress && !raw.quiet;
+/// What holds between options, once all are known.
+void interpret(const Flags& flags, CommandLine& line) {
+  RenderOptions& o = line.render;
+  if (flags.quiet && flags.verbose)
+    throw UsageError("--quiet and --verbose contradict each other; give one of them");
+  o.log = flags.quiet ? LogLevel::Quiet : flags.verbose ? LogLevel::Verbose : LogLevel::Normal;
+  o.progress = !flags.noProgress && !flags.quiet;
   if (o.outputs.empty())
     o.outputs.emplace_back("vkpt.png");
+  if (flags.listScenes)
+    line.command = Command::ListScenes;
+  if (!o.scenes.empty() && o.scenes.front() == "devices") {
+    if (o.scenes.size() > 1)
+      throw UsageError(fmt::format("devices '{}': the command takes no scene", o.scenes[1].string()));
+    line.command = Command::Devices;
+  }
+}
+
+std::string unknownOption(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::Option* option : app.get_options()) {
+    for (const auto& name : option->get_lnames())
+      names.push_back("--" + name);
+  }
+  const std::vector<std::string_view> views(names.begin(), names.end());
+  const auto unknown = app.remaining();
+  const std::string first = unknown.empty() ? "" : unknown.front();
+  return fmt::format("{}: unknown option{}; see vkpt --help", first, didYouMean(first, views));
 }
 
 /// CLI11's messages may have several lines; ours has one.
@@ -187,15 +259,17 @@ std::string oneLine(std::string text) {
 CommandLine parseCommandLine(const std::vector<std::string>& arguments) {
   CommandLine line;
   RenderOptions& o = line.render;
-  RawOptions raw;
+  Flags flags;
   CLI::App app(kUsage, "vkpt");
   app.footer(kExamples);
   app.set_version_flag("--version", std::string("vkpt ") + VKPT_VERSION);
-  app.add_option("SCENE", o.scenes, ".obj files, together one scene; or a built-in scene's name");
+  app.add_option("SCENE", o.scenes, ".obj files, together one scene; or a built-in scene's name")
+      ->type_name("");
   addStopOptions(app, o);
-  addImageOptions(app, o, raw);
-  addEstimatorOptions(app, o, raw);
-  addRunOptions(app, o, raw);
+  addImageOptions(app, o);
+  addCameraOptions(app, o);
+  addEstimatorOptions(app, o);
+  addRunOptions(app, o, flags);
   std::vector<std::string> reversed(arguments.rbegin(), arguments.rend());
   try {
     app.parse(reversed);
@@ -203,36 +277,47 @@ CommandLine parseCommandLine(const std::vector<std::string>& arguments) {
     app.exit(e, std::cout, std::cerr);
     line.command = Command::Exit;
     return line;
+  } catch (const CLI::ExtrasError&) {
+    throw UsageError(unknownOption(app));
   } catch (const CLI::ParseError& e) {
     throw UsageError(oneLine(e.what()));
   }
-  interpret(raw, o);
-  if (raw.listScenes)
-    line.command = Command::ListScenes;
-  if (o.scenes.size() == 1 && o.scenes.front() == "devices")
-    line.command = Command::Devices;
+  interpret(flags, line);
   return line;
 }
 
-std::vector<std::string> describeOptions(const RenderOptions& o) {
-  const auto bounces =
-      o.estimator.maxBounces == kUnlimitedBounces ? "inf" : std::to_string(o.estimator.maxBounces);
-  std::vector<std::string> lines{
-      fmt::format("--light {}", o.estimator.light == LightStrategy::Nee ? "nee" : "bsdf"),
-      "--max-bounces " + bounces,
-      fmt::format("--roulette {} --roulette-after {}",
-                  o.estimator.roulette == RouletteMode::Albedo ? "albedo" : "throughput",
-                  o.estimator.effectiveRouletteAfter()),
-      fmt::format("--seed {} --batch {} --tile-blocks {}", o.seed, o.job.batch, o.job.tileBlocks),
-      fmt::format("--exposure {}", o.display.exposureStops)};
-  if (o.job.frames)
-    lines.push_back(fmt::format("--frames {}", *o.job.frames));
-  if (o.job.seconds)
-    lines.push_back(fmt::format("--time {}", *o.job.seconds));
-  if (o.job.targetError)
-    lines.push_back(fmt::format("--target-error {}", *o.job.targetError));
+std::vector<std::string> describeOptions(const RenderOptions& o, const RenderJob& job, const Scene& scene) {
+  const EstimatorSettings& e = o.estimator;
+  const auto vector = [](const auto& v) { return fmt::format("{:g},{:g},{:g}", v.x, v.y, v.z); };
+  std::vector<std::string> lines;
+  const auto say = [&]<class... Values>(fmt::format_string<Values...> text, Values&&... values) {
+    lines.push_back(fmt::format(text, std::forward<Values>(values)...));
+  };
+  if (job.frames)
+    say("--frames {}", *job.frames);
+  if (job.seconds)
+    say("--time {}", *job.seconds);
+  if (job.targetError)
+    say("--target-error {}", *job.targetError);
+  say("--batch {} --tile-blocks {}", job.batch, job.tileBlocks);
+  say("--size {}x{}", scene.width, scene.height);
   for (const auto& path : o.outputs)
-    lines.push_back("--output " + path.string());
+    say("--output {}", path.string());
+  say("--exposure {} --tonemap {}", o.display.exposureStops, nameOf(kTonemapNames, o.display.tonemap));
+  say("--look-at {},{} --up {} --fov {:g}", vector(scene.camera.eye), vector(scene.camera.target),
+      vector(scene.camera.up), horizontalFov(scene));
+  say("--light {} --max-bounces {}", nameOf(kLightNames, e.light),
+      e.maxBounces == kUnlimitedBounces ? "inf" : std::to_string(e.maxBounces));
+  say("--roulette {} --roulette-after {}", nameOf(kRouletteNames, e.roulette), e.effectiveRouletteAfter());
+  say("--seed {} --background {}", o.seed, vector(scene.background));
+  if (!o.device.empty())
+    say("--device {}", o.device);
+  if (!o.stats.empty())
+    say("--stats {}", o.stats.string());
+  if (o.strict)
+    say("--strict");
+  if (o.validation)
+    say("--validation");
   return lines;
 }
 

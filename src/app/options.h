@@ -28,7 +28,7 @@ struct RenderOptions {
   bool strict = false;
   bool progress = true;
   bool validation = false;
-  LogLevel log = LogLevel::Normal;
+  LogLevel log = LogLevel::Normal; ///< Quiet: no summary either
 };
 
 enum class Command { Render, Devices, ListScenes, Exit };
@@ -42,7 +42,9 @@ struct CommandLine {
 /// UsageError: one line that names the option, what is wrong, and what would be right.
 CommandLine parseCommandLine(const std::vector<std::string>& arguments);
 
-/// Every option as it was expanded, one a line, for --verbose.
-std::vector<std::string> describeOptions(const RenderOptions& options);
+/// Every option as it was expanded, in lines, for --verbose: `job` and `scene` hold what the defaults came
+/// to.
+std::vector<std::string> describeOptions(const RenderOptions& options, const RenderJob& job,
+                                         const Scene& scene);
 
 } // namespace vkpt

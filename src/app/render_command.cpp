@@ -2,6 +2,7 @@
 
 #include "app/commands.h"
 #include "app/interrupt.h"
+#include "app/outputs.h"
 #include "app/progress.h"
 #include "app/run_report.h"
 #include "core/clock.h"
@@ -9,9 +10,6 @@
 
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
-
-#include <cstdio>
-#include <fstream>
 
 namespace vkpt {
 namespace {
@@ -31,23 +29,22 @@ void applyOverrides(Scene& scene, const RenderOptions& o) {
   }
 }
 
-Scene loadWithReport(const RenderOptions& o, SceneReport& report) {
+Scene loadWithOverrides(const RenderOptions& o, SceneReport& report) {
   Scene scene = loadScene(o.scenes, report);
+  applyOverrides(scene, o);
+  const EffectSet effects = detectEffects(scene, o.estimator);
+  if (!effects.has(Effect::AreaLights) && !effects.has(Effect::Background)) {
+    report.warnings.push_back(fmt::format(
+        "{}: no light: no material emits (Ke, or the framework's Ka) and there is no --background; "
+        "the image will be black",
+        scene.name));
+  }
   for (const auto& warning : report.warnings) {
     if (o.strict)
-      throw Error(ExitCode::Scene, warning + " (--strict)");
+      throw Error(ExitCode::Scene, warning + " (an error by --strict)");
     spdlog::warn("{}", warning);
   }
-  applyOverrides(scene, o);
   return scene;
-}
-
-void warnIfDark(const EffectSet& effects) {
-  if (effects.has(Effect::AreaLights) || effects.has(Effect::Background))
-    return;
-  spdlog::warn(
-      "the scene has no light: no material emits (Ke, or the framework's Ka) and there is no --background; "
-      "the image will be black");
 }
 
 RenderJob withDefaults(RenderJob job, const Scene& scene) {
@@ -63,48 +60,34 @@ std::vector<std::string> biasOf(const RenderOptions& o) {
   return bias;
 }
 
-/// Like the images: into a temporary file beside the target, then renamed.
-void writeText(const fs::path& path, const std::string& text) {
-  const fs::path temporary = path.string() + ".part";
-  std::ofstream file(temporary);
-  file << text;
-  file.close();
-  std::error_code error;
-  if (file)
-    fs::rename(temporary, path, error);
-  if (!file || error) {
-    fs::remove(temporary, error);
-    throw UsageError(fmt::format("{}: cannot be written; choose another --stats file", path.string()));
+ExitCode conclude(const RenderOptions& o, const RunReport& report, const gpu::Context& context) {
+  if (o.log != LogLevel::Quiet)
+    fmt::print("{}", summaryText(report, o.outputs));
+  if (context.validationMessages() > 0)
+    throw DeviceError("the Vulkan validation layer had something to say, see above");
+  if (report.counters.faults() > 0) {
+    spdlog::error("{}: {}; the image is wrong there", report.scene, faultText(report.counters));
+    return ExitCode::Faults;
   }
-}
-
-void checkStatsPath(const fs::path& path) {
-  if (path.empty())
-    return;
-  const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
-  if (fs::is_directory(path) || !fs::is_directory(folder)) {
-    throw UsageError(fmt::format("--stats {}: not a file in a folder that exists", path.string()));
-  }
+  return report.result.stop == StopReason::User ? ExitCode::Interrupted : ExitCode::Done;
 }
 
 } // namespace
 
 ExitCode runRender(const RenderOptions& o) {
-  for (const auto& line : describeOptions(o))
-    spdlog::debug("{}", line);
-  for (const auto& path : o.outputs)
-    checkOutputPath(path);
-  checkStatsPath(o.stats);
+  checkOutputs(o);
   const InterruptGuard interrupts;
   RunReport report;
   Stopwatch watch;
 
-  SceneReport sceneReport;
-  const Scene scene = loadWithReport(o, sceneReport);
+  const Scene scene = loadWithOverrides(o, report.sceneReport);
+  checkOutputSizes(o, scene.width, scene.height);
+  const RenderJob job = withDefaults(o.job, scene);
+  for (const auto& line : describeOptions(o, job, scene))
+    spdlog::debug("{}", line);
   report.seconds.load = watch.restart();
-  const EffectSet effects = detectEffects(scene, o.estimator);
-  warnIfDark(effects);
 
+  const EffectSet effects = detectEffects(scene, o.estimator);
   const gpu::Context context({o.device, o.validation});
   watch.restart();
   const PackedScene packed = packScene(scene);
@@ -119,7 +102,7 @@ ExitCode runRender(const RenderOptions& o) {
   Film film;
   {
     ProgressLine progress(o.progress);
-    report.result = renderUntil(integrator, film, withDefaults(o.job, scene), progress);
+    report.result = renderUntil(integrator, film, job, progress);
   }
   report.seconds.render = report.result.seconds;
   report.scene = scene.name;
@@ -131,25 +114,15 @@ ExitCode runRender(const RenderOptions& o) {
   report.device = context.info().name;
   report.seed = o.seed;
   report.deviceBytes = deviceScene.bytes() + integrator.filmBytes();
-  report.notes = sceneReport.notes;
   report.bias = biasOf(o);
   if (report.counters.faults() > 0 && report.result.stop != StopReason::User)
     report.result.stop = StopReason::Fault;
 
   watch.restart();
-  const Image image = develop(film);
-  for (const auto& path : o.outputs)
-    writeImage(path, image, o.display, imageMetadata(report));
+  writeImages(o, report, film);
   report.seconds.output = watch.restart();
-  if (!o.stats.empty())
-    writeText(o.stats, statsJson(report));
-  fmt::print("{}", summaryText(report, o.outputs));
-
-  if (context.validationMessages() > 0)
-    throw DeviceError("the Vulkan validation layer had something to say");
-  if (report.counters.faults() > 0)
-    return ExitCode::Faults;
-  return report.result.stop == StopReason::User ? ExitCode::Interrupted : ExitCode::Done;
+  writeStats(o, report);
+  return conclude(o, report, context);
 }
 
 } // namespace vkpt

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 namespace vkpt {
@@ -18,27 +19,107 @@ nlohmann::ordered_json frameNumber(double frames) {
   return frames;
 }
 
+/// One sample a pixel tells nothing of the error, which the film gives as infinite.
+std::string errorText(const FilmStatistics& film) {
+  if (!std::isfinite(film.relativeError))
+    return "relative error not known (fewer than 2 samples a pixel)";
+  return fmt::format("estimated relative error {:.2f} %", film.relativeError * 100.0);
+}
+
+double samplesPerSecond(const RunReport& r) {
+  return static_cast<double>(r.film.samples) / std::max(r.seconds.render, 1e-9);
+}
+
+/// Numbers that are not finite become null.
+nlohmann::ordered_json statsOf(const RunReport& r) {
+  nlohmann::ordered_json j;
+  j["schema"] = 1;
+  j["version"] = VKPT_VERSION;
+  j["scene"] = r.scene;
+  j["width"] = r.width;
+  j["height"] = r.height;
+  j["frames"] = frameNumber(r.result.frames);
+  j["stop"] = stopReasonName(r.result.stop);
+  j["seconds"] = {{"load", r.seconds.load},
+                  {"build", r.seconds.build},
+                  {"compile", r.seconds.compile},
+                  {"render", r.seconds.render},
+                  {"output", r.seconds.output}};
+  j["samples"] = r.film.samples;
+  j["rays"] = {{"closest", r.counters.raysClosest}, {"shadow", r.counters.raysShadow}};
+  j["samplesPerSecond"] = samplesPerSecond(r);
+  j["error"] = {{"relative", r.film.relativeError}, {"standardError", rgb(r.film.standardError)}};
+  j["mean"] = rgb(r.film.mean);
+  j["effects"] = r.effects;
+  j["device"] = r.device;
+  j["deviceBytes"] = r.deviceBytes;
+  j["seed"] = r.seed;
+  j["bias"] = r.bias;
+  j["notes"] = r.sceneReport.notes;
+  j["warnings"] = r.sceneReport.warnings;
+  j["droppedDegenerate"] = r.sceneReport.droppedDegenerate;
+  j["dispatches"] = r.counters.dispatches;
+  j["cappedPaths"] = r.counters.cappedPaths;
+  j["carriedPaths"] = r.counters.carriedPaths;
+  j["faults"] = {{"nonFinite", r.counters.nonFinite},
+                 {"cutTraversal", r.counters.cutTraversal},
+                 {"stackOverflow", r.counters.stackOverflow},
+                 {"invalidPdf", r.counters.invalidPdf}};
+  return j;
+}
+
+Metadata::mapped_type metadataValue(const nlohmann::ordered_json& value) {
+  if (value.is_number_float())
+    return value.get<double>();
+  if (value.is_number())
+    return value.get<std::int64_t>();
+  if (value.is_string())
+    return value.get<std::string>();
+  std::string list; // numbers, or lines of text
+  for (const auto& entry : value)
+    list += fmt::format("{}{}",
+                        list.empty()        ? ""
+                        : entry.is_string() ? "\n"
+                                            : " ",
+                        entry.is_string() ? entry.get<std::string>() : entry.dump());
+  return list;
+}
+
+bool isKnown(const nlohmann::ordered_json& value) {
+  if (value.is_array())
+    return std::ranges::all_of(value, isKnown);
+  return !value.is_null() && !(value.is_number_float() && !std::isfinite(value.get<double>()));
+}
+
+void flatten(const std::string& prefix, const nlohmann::ordered_json& object, Metadata& metadata) {
+  for (const auto& [key, value] : object.items()) {
+    if (value.is_object())
+      flatten(prefix + key + ".", value, metadata);
+    else if (isKnown(value))
+      metadata[prefix + key] = metadataValue(value);
+  }
+}
+
+} // namespace
+
 std::string faultText(const RunCounters& c) {
   return fmt::format("{} non-finite samples, {} cut traversals, {} stack overflows, {} invalid densities",
                      c.nonFinite, c.cutTraversal, c.stackOverflow, c.invalidPdf);
 }
 
-} // namespace
-
 std::string summaryText(const RunReport& r, const std::vector<fs::path>& outputs) {
   std::string text;
   const auto line = [&](const std::string& s) { text += s + "\n"; };
-  for (const auto& note : r.notes)
+  for (const auto& note : r.sceneReport.notes)
     line(note);
   line(fmt::format("{}, {}x{}, {:.6g} samples per pixel in {:.2f} s ({:.2f} Msamples/s), stopped by: {}",
-                   r.scene, r.width, r.height, r.result.frames, r.seconds.render,
-                   static_cast<double>(r.counters.samples) / std::max(r.seconds.render, 1e-9) * 1e-6,
+                   r.scene, r.width, r.height, r.result.frames, r.seconds.render, samplesPerSecond(r) * 1e-6,
                    stopReasonName(r.result.stop)));
   line(fmt::format("rays: {} closest hit, {} shadow; load {:.2f} s, build {:.2f} s, compile {:.2f} s",
                    r.counters.raysClosest, r.counters.raysShadow, r.seconds.load, r.seconds.build,
                    r.seconds.compile));
-  line(fmt::format("mean radiance {:.5g} {:.5g} {:.5g}, estimated relative error {:.2f} %", r.film.mean.x,
-                   r.film.mean.y, r.film.mean.z, r.film.relativeError * 100.0));
+  line(fmt::format("mean radiance {:.5g} {:.5g} {:.5g}, {}", r.film.mean.x, r.film.mean.y, r.film.mean.z,
+                   errorText(r.film)));
   if (r.counters.cappedPaths > 0)
     line(fmt::format("{} paths ended by the cap on trapped paths", r.counters.cappedPaths));
   if (!r.bias.empty())
@@ -50,56 +131,14 @@ std::string summaryText(const RunReport& r, const std::vector<fs::path>& outputs
   return text;
 }
 
-std::string statsJson(const RunReport& r) {
-  nlohmann::ordered_json j;
-  j["schema"] = 1;
-  j["scene"] = r.scene;
-  j["width"] = r.width;
-  j["height"] = r.height;
-  j["frames"] = frameNumber(r.result.frames);
-  j["stop"] = stopReasonName(r.result.stop);
-  j["seconds"] = {{"load", r.seconds.load},
-                  {"build", r.seconds.build},
-                  {"compile", r.seconds.compile},
-                  {"render", r.seconds.render},
-                  {"output", r.seconds.output}};
-  j["samples"] = r.counters.samples;
-  j["rays"] = {{"closest", r.counters.raysClosest}, {"shadow", r.counters.raysShadow}};
-  j["samplesPerSecond"] = static_cast<double>(r.counters.samples) / std::max(r.seconds.render, 1e-9);
-  j["error"] = {{"relative", r.film.relativeError}, {"standardError", rgb(r.film.standardError)}};
-  j["mean"] = rgb(r.film.mean);
-  j["effects"] = r.effects;
-  j["device"] = r.device;
-  j["deviceBytes"] = r.deviceBytes;
-  j["seed"] = r.seed;
-  j["bias"] = r.bias;
-  j["notes"] = r.notes;
-  j["dispatches"] = r.counters.dispatches;
-  j["cappedPaths"] = r.counters.cappedPaths;
-  j["carriedPaths"] = r.counters.carriedPaths;
-  j["faults"] = {{"nonFinite", r.counters.nonFinite},
-                 {"cutTraversal", r.counters.cutTraversal},
-                 {"stackOverflow", r.counters.stackOverflow},
-                 {"invalidPdf", r.counters.invalidPdf}};
-  return j.dump(2) + "\n";
-}
+std::string statsJson(const RunReport& report) { return statsOf(report).dump(2) + "\n"; }
 
-Metadata imageMetadata(const RunReport& r) {
-  Metadata m;
-  m["version"] = std::string(VKPT_VERSION);
-  m["scene"] = r.scene;
-  m["frames"] = r.result.frames;
-  m["stop"] = std::string(stopReasonName(r.result.stop));
-  m["seconds"] = r.seconds.render;
-  m["samples"] = static_cast<std::int64_t>(r.counters.samples);
-  m["relativeError"] = r.film.relativeError;
-  m["effects"] = fmt::format("{}", fmt::join(r.effects, " "));
-  m["device"] = r.device;
-  m["seed"] = static_cast<std::int64_t>(r.seed);
-  m["bias"] = fmt::format("{}", fmt::join(r.bias, ", "));
-  m["cappedPaths"] = static_cast<std::int64_t>(r.counters.cappedPaths);
-  m["faults"] = static_cast<std::int64_t>(r.counters.faults());
-  return m;
+Metadata imageMetadata(const RunReport& report) {
+  Metadata metadata;
+  flatten("", statsOf(report), metadata);
+  metadata.erase("schema");
+  metadata.erase("seconds.output"); // not over yet
+  return metadata;
 }
 
 } // namespace vkpt

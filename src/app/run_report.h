@@ -25,14 +25,17 @@ struct RunReport {
   std::string device;
   std::uint32_t seed = 0;
   std::uint64_t deviceBytes = 0;
-  std::vector<std::string> notes; ///< conventions of the file's framework that were applied
-  std::vector<std::string> bias;  ///< options that bias the result, empty by default
+  SceneReport sceneReport;       ///< conventions of the file's framework that were applied, and warnings
+  std::vector<std::string> bias; ///< options that bias the result, empty by default
 };
 
 /// The summary for stdout: time, samples, rays, error, why it stopped, where the images are.
 std::string summaryText(const RunReport& report, const std::vector<fs::path>& outputs);
 /// interface.md's `--stats` schema 1.
 std::string statsJson(const RunReport& report);
+/// The same facts, a key for each leaf ("faults.nonFinite"); an error that is not known is left out.
 Metadata imageMetadata(const RunReport& report);
+/// Every fault by its cause, in one line.
+std::string faultText(const RunCounters& counters);
 
 } // namespace vkpt

@@ -1,5 +1,5 @@
-// The shader library as a C++ class. Included by program32.h and program64.h inside their namespaces, where Float is
-// defined.
+// The shader library as a C++ class. Included by program32.h and program64.h inside their namespaces, where
+// Float is defined.
 
 #include "shared/language.h"
 
@@ -24,8 +24,8 @@ public:
 #undef VKPT_INITIALISE_EFFECT
             kRouletteMode(static_cast<uint>(roulette)),
         m_scene(&scene), m_frame(frame) {
-    if (scene.bvh.stackSize() > kStackSize)
-      throw std::length_error("the BVH is too deep for the host's traversal stack");
+    if (scene.bvh.depth >= kMaxStackDepth)
+      throw std::length_error("the BVH is too deep for the traversal's stack");
   }
 
 #define VKPT_DECLARE_EFFECT(id, Name, name, what)                                                            \
@@ -33,7 +33,6 @@ public:
   VKPT_EFFECTS(VKPT_DECLARE_EFFECT)
 #undef VKPT_DECLARE_EFFECT
   uint kRouletteMode;
-  static constexpr int kStackSize = 160; // 3 x 48 + 4 is the deepest that buildBvh() makes by default
 
   // --- accessors: as in shaders/device_memory.glsl ---
   Vec4 nodeBounds(uint node, uint row) const {
@@ -94,18 +93,15 @@ public:
 
   // --- what the library reports ---
   HostCounters counters;
-  void reportTraversal(uint /*steps*/, bool cut, bool overflow) {
-    counters.cutTraversal += cut ? 1U : 0U;
-    counters.stackOverflow += overflow ? 1U : 0U;
-  }
+  void reportTraversal(uint /*steps*/, bool cut) { counters.cutTraversal += cut ? 1U : 0U; }
   void reportClosestRay() { ++counters.raysClosest; }
   void reportShadowRay(bool traced) { counters.raysShadow += traced ? 1U : 0U; }
   void reportCappedPath() { ++counters.cappedPaths; }
 
 #include "lib/library.glsl"
 
-  /// What path.comp does for one lane: samples [firstSample, firstSample + count) of a pixel, summed in Float within
-  /// groups of kSamplesPerGroup, the groups merged in double.
+  /// What path.comp does for one lane: samples [firstSample, firstSample + count) of a pixel, summed in Float
+  /// within groups of kSamplesPerGroup, the groups merged in double.
   void samplePixel(uint x, uint y, std::uint64_t firstSample, std::uint64_t count, PixelMoments& moments) {
     const uint pixel = y * m_frame.width + x;
     Vec3 mean(0);

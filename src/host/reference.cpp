@@ -8,7 +8,6 @@ HostCounters& HostCounters::operator+=(const HostCounters& other) {
   cappedPaths += other.cappedPaths;
   nonFinite += other.nonFinite;
   cutTraversal += other.cutTraversal;
-  stackOverflow += other.stackOverflow;
   return *this;
 }
 

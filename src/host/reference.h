@@ -15,16 +15,15 @@ struct HostSettings {
   std::uint32_t seed = 0;
 };
 
-/// As the device's counters; faults are nonFinite, cutTraversal and stackOverflow.
+/// As the device's counters; faults are nonFinite and cutTraversal.
 struct HostCounters {
   std::uint64_t raysClosest = 0;
   std::uint64_t raysShadow = 0;
   std::uint64_t cappedPaths = 0;
   std::uint64_t nonFinite = 0;
   std::uint64_t cutTraversal = 0;
-  std::uint64_t stackOverflow = 0;
   HostCounters& operator+=(const HostCounters& other);
-  [[nodiscard]] std::uint64_t faults() const { return nonFinite + cutTraversal + stackOverflow; }
+  [[nodiscard]] std::uint64_t faults() const { return nonFinite + cutTraversal; }
 };
 
 struct HostRender {

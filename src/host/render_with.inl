@@ -6,9 +6,9 @@ template<class MakeProgram>
 HostRender renderWith(const MakeProgram& makeProgram, int width, int height, std::uint64_t frames,
                       unsigned threads) {
   HostRender render;
-  render.film = {width, height,
-                 std::vector<PixelMoments>(static_cast<std::size_t>(width) *
-                                           static_cast<std::size_t>(height))};
+  render.film = {
+      width, height,
+      std::vector<PixelMoments>(static_cast<std::size_t>(width) * static_cast<std::size_t>(height))};
   std::atomic<int> nextRow{0};
   std::mutex counting;
   const auto work = [&] {

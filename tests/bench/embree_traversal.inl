@@ -1,5 +1,6 @@
-// Stands in for shaders/lib/traverse.glsl inside the yardstick's Program: Embree's traversal. That a ray starts off
-// its surface and ends off the light is enough; triangles are not excluded by number, which would cost a callback.
+// Stands in for shaders/lib/traverse.glsl inside the yardstick's Program: Embree's traversal. That a ray
+// starts off its surface and ends off the light is enough; triangles are not excluded by number, which would
+// cost a callback.
 
 RTCScene embree = nullptr;
 std::vector<RecordedRay>* shadowRays = nullptr; // where they go, if Traits::kRecords
@@ -20,6 +21,8 @@ Hit traceClosest(const Ray& ray) {
 }
 
 bool traceOccluded(const Ray& ray, Float tMax, uint target) {
+  if (!(tMax > 0))
+    return false;
   if constexpr (Traits::kRecords)
     shadowRays->push_back({{ray.o.x, ray.o.y, ray.o.z}, tMax, {ray.d.x, ray.d.y, ray.d.z}, target});
   RTCRay r = makeRay(ray.o, ray.d, tMax);

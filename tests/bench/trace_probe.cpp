@@ -31,7 +31,7 @@ TraceProbe::TraceProbe(const gpu::Context& context, const DeviceScene& scene,
     : m_context(context), m_count(static_cast<std::uint32_t>(rays.size())),
       m_bindings(context, kLayout, sizeof(Dispatch)),
       m_pipeline(context, spirv::kTrace, m_bindings,
-                 {{kConstantStackSize, scene.stackSize}, {kConstantShadow, shadow ? 1U : 0U}}),
+                 {{kConstantStackDepth, scene.stackDepth}, {kConstantShadow, shadow ? 1U : 0U}}),
       m_rays(context, "recorded rays", std::as_bytes(std::span{rays})),
       m_results(context, "results", rays.size() * sizeof(float), vk::BufferUsageFlagBits::eStorageBuffer,
                 gpu::MemoryKind::Device) {

@@ -44,9 +44,8 @@ void Trial::expectMean(const Film& film, const Vec3d& expected, double tolerance
   const Estimate e = estimateOf(film);
   for (int c = 0; c < 3; ++c) {
     const double error = std::sqrt(e.variance[c]);
-    const std::string figures =
-        fmt::format("{} {}: {:.7g} +- {:.2g}, expected {:.7g}", kChannels[c], what, e.mean[c], error,
-                    expected[c]);
+    const std::string figures = fmt::format("{} {}: {:.7g} +- {:.2g}, expected {:.7g}", kChannels[c], what,
+                                            e.mean[c], error, expected[c]);
     if (expected[c] == 0.0) {
       expect(e.mean[c] == 0.0, figures);
       continue;

@@ -23,7 +23,8 @@ public:
   void expect(bool holds, const std::string& what);
   /// The image's mean is within 4 standard errors of `expected`, per channel, and these are below a third of
   /// `tolerance` (relative), so that a bias of that size would show. A channel that should be 0 must be it.
-  void expectMean(const Film& film, const Vec3d& expected, double tolerance, const std::string& what = "mean");
+  void expectMean(const Film& film, const Vec3d& expected, double tolerance,
+                  const std::string& what = "mean");
   /// Every pixel has the value, to float rounding of `operations` operations, and a variance of exactly 0.
   void expectConstant(const Film& film, const Vec3d& value, int operations, const std::string& what);
   /// No channel of the two images' means differs by more than 4 standard errors; these are below a third of

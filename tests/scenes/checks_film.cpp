@@ -25,8 +25,8 @@ Direct momentsOf(const std::vector<double>& x) {
   return d;
 }
 
-/// Sample `index` of every pixel, from a film that holds it alone. Number n of a group joins a mean of 0 in an
-/// empty film, which makes it 1/n of itself.
+/// Sample `index` of every pixel, from a film that holds it alone. Number n of a group joins a mean of 0 in
+/// an empty film, which makes it 1/n of itself.
 std::vector<Vec3d> sampleAlone(Integrator& integrator, std::uint64_t index) {
   integrator.clear();
   integrator.renderTile({0, integrator.blockCount()}, index, 1);
@@ -37,8 +37,8 @@ std::vector<Vec3d> sampleAlone(Integrator& integrator, std::uint64_t index) {
   return samples;
 }
 
-/// What 40 frames leave in the film, against the 40 samples of each pixel taken one by one. A group of 16 float
-/// additions of squares loses at most 16 roundings relative to their sum.
+/// What 40 frames leave in the film, against the 40 samples of each pixel taken one by one. A group of 16
+/// float additions of squares loses at most 16 roundings relative to their sum.
 void filmOfSamples(Trial& t) {
   constexpr std::uint64_t kFrames = 40;
   constexpr double kTolerance = 16.0 * 0x1p-24;
@@ -61,9 +61,9 @@ void filmOfSamples(Trial& t) {
       const double size = static_cast<double>(d.mean) + std::sqrt(static_cast<double>(d.m2) / kFrames);
       if (meanError <= kTolerance * size && m2Error <= kTolerance * static_cast<double>(d.m2))
         continue;
-      t.expect(false, fmt::format("pixel {} channel {}: mean {:.9g}, m2 {:.9g}; expected {:.9g}, {:.9g}", p, c,
-                                  film.pixels[p].mean[c], film.pixels[p].m2[c], static_cast<double>(d.mean),
-                                  static_cast<double>(d.m2)));
+      t.expect(false, fmt::format("pixel {} channel {}: mean {:.9g}, m2 {:.9g}; expected {:.9g}, {:.9g}", p,
+                                  c, film.pixels[p].mean[c], film.pixels[p].m2[c],
+                                  static_cast<double>(d.mean), static_cast<double>(d.m2)));
       return;
     }
   }

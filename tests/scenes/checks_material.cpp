@@ -88,10 +88,11 @@ void refractedRay(Trial& t) {
   const double x = -sinT / std::sqrt(1.0 - sinT * sinT);
   SceneBuilder builder;
   plate(builder, 0.0, 50.0, true, glass(1.5F)).camera(plateCamera(degrees));
-  builder.quad({x - 0.01, -0.01, -1.0}, {x + 0.01, -0.01, -1.0}, {x + 0.01, 0.01, -1.0}, {x - 0.01, 0.01, -1.0},
-               emitter(kRadiance));
+  builder.quad({x - 0.01, -0.01, -1.0}, {x + 0.01, -0.01, -1.0}, {x + 0.01, 0.01, -1.0},
+               {x - 0.01, 0.01, -1.0}, emitter(kRadiance));
   const Film film = t.render(builder.build(), {.width = 64, .height = 64, .frames = 16}).film;
-  t.expectMean(film, Vec3d(kRadiance) * (1.0 - exactFresnelDielectric(std::cos(radians(degrees)), 1.5)), 0.01);
+  t.expectMean(film, Vec3d(kRadiance) * (1.0 - exactFresnelDielectric(std::cos(radians(degrees)), 1.5)),
+               0.01);
 }
 
 /// In surroundings of radiance 1 glass can't be seen: what it takes away here it adds there.
@@ -106,7 +107,7 @@ void glassInWhite(Trial& t) {
 }
 
 constexpr Check kChecks[] = {
-    {"mirrorOfEmitter", mirrorOfEmitter}, {"metalPlate", metalPlate},     {"glassInWhite", glassInWhite},
+    {"mirrorOfEmitter", mirrorOfEmitter}, {"metalPlate", metalPlate}, {"glassInWhite", glassInWhite},
     {"refractedRay", refractedRay},       {"glassSlab", glassSlab},
 };
 

@@ -32,9 +32,9 @@ IntegratorSettings integratorSettings(const RenderSetup& setup) {
 
 Studio::Studio(const gpu::Context& context, const Scene& scene, const RenderSetup& setup)
     : m_setup(setup), m_scene(uploadScene(context, packScene(scene, 1))),
-      m_integrator(std::make_unique<Integrator>(
-          context, m_scene, scene, setup.effects.value_or(detectEffects(scene, setup.estimator)),
-          integratorSettings(setup))) {}
+      m_integrator(std::make_unique<Integrator>(context, m_scene, scene,
+                                                setup.effects.value_or(detectEffects(scene, setup.estimator)),
+                                                integratorSettings(setup))) {}
 
 Rendered Studio::render() {
   RenderJob job;
@@ -107,7 +107,8 @@ EffectSet everyEffect() {
 void RenderTest::SetUp() { m_messagesBefore = sharedContext().validationMessages(); }
 
 void RenderTest::TearDown() {
-  EXPECT_EQ(sharedContext().validationMessages(), m_messagesBefore) << "the validation layer spoke; see above";
+  EXPECT_EQ(sharedContext().validationMessages(), m_messagesBefore)
+      << "the validation layer spoke; see above";
   if (!HasFailure())
     return;
   for (std::size_t i = 0; i < m_pictures.size(); ++i)
@@ -119,9 +120,9 @@ Rendered RenderTest::render(const Scene& scene, RenderSetup setup) {
   if (setup.seed == 0)
     setup.seed = seed();
   Rendered r = renderScene(scene, setup);
-  EXPECT_EQ(r.counters.faults(), 0U)
-      << "nonFinite " << r.counters.nonFinite << ", cutTraversal " << r.counters.cutTraversal
-      << ", stackOverflow " << r.counters.stackOverflow << ", invalidPdf " << r.counters.invalidPdf;
+  EXPECT_EQ(r.counters.faults(), 0U) << "nonFinite " << r.counters.nonFinite << ", cutTraversal "
+                                     << r.counters.cutTraversal << ", stackOverflow "
+                                     << r.counters.stackOverflow << ", invalidPdf " << r.counters.invalidPdf;
   if (m_pictures.size() < kMostPictures)
     m_pictures.push_back(r.film);
   return r;

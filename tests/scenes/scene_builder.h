@@ -46,12 +46,12 @@ private:
   Scene m_scene;
 };
 
-/// A box of albedo `albedo` about the camera whose walls all emit `emission`: radiance emission / (1 - albedo)
-/// everywhere, whatever the camera sees.
+/// A box of albedo `albedo` about the camera whose walls all emit `emission`: radiance emission / (1 -
+/// albedo) everywhere, whatever the camera sees.
 Scene furnace(const Vec3f& albedo, const Vec3f& emission = Vec3f(1.0F));
 
-/// Irradiance (W m^-2) of a diffuse polygon of radiance 1, all above the horizon, at `p` with unit normal `n`:
-/// Lambert 1760, half the sum over the edges of the angle they subtend times the cosine of their plane.
+/// Irradiance (W m^-2) of a diffuse polygon of radiance 1, all above the horizon, at `p` with unit normal
+/// `n`: Lambert 1760, half the sum over the edges of the angle they subtend times the cosine of their plane.
 double polygonIrradiance(std::initializer_list<Vec3d> polygon, const Vec3d& p, const Vec3d& n);
 
 /// Fresnel's equations in double, for comparison: unpolarised reflectances at the cosine cosI.

@@ -45,8 +45,8 @@ std::vector<Estimate> tileEstimates(const Film& film) {
   std::vector<Estimate> tiles;
   for (int y = 0; y < film.height; y += kTileEdge) {
     for (int x = 0; x < film.width; x += kTileEdge) {
-      tiles.push_back(estimateOf(film, x, y, std::min(x + kTileEdge, film.width),
-                                 std::min(y + kTileEdge, film.height)));
+      tiles.push_back(
+          estimateOf(film, x, y, std::min(x + kTileEdge, film.width), std::min(y + kTileEdge, film.height)));
     }
   }
   return tiles;

@@ -12,8 +12,8 @@ protected:
     for (const std::string& failure : trial.failures())
       ADD_FAILURE() << failure;
     for (std::size_t i = 0; i < trial.pictures().size() && !trial.failures().empty(); ++i) {
-      std::cout << "picture: "
-                << savePicture(trial.pictures()[i], GetParam().name + std::to_string(i)) << '\n';
+      std::cout << "picture: " << savePicture(trial.pictures()[i], GetParam().name + std::to_string(i))
+                << '\n';
     }
   }
 };

@@ -83,8 +83,8 @@ TEST_F(Estimators, BounceLimitsAgree) {
   }
 }
 
-/// The specialised kernel walks the same paths as the one with everything in it: the same numbers, but for the
-/// order in which a compiler rounds them, and paths that such a difference sends elsewhere.
+/// The specialised kernel walks the same paths as the one with everything in it: the same numbers, but for
+/// the order in which a compiler rounds them, and paths that such a difference sends elsewhere.
 class Effects : public RenderTest, public testing::WithParamInterface<const char*> {};
 
 TEST_P(Effects, LeftOutChangeNothing) {

@@ -1,5 +1,5 @@
-// Same seed, same bits, whatever the batch, the tiles, the threads and the image's shape; and other seeds, pixels
-// and frames tell independent stories.
+// Same seed, same bits, whatever the batch, the tiles, the threads and the image's shape; and other seeds,
+// pixels and frames tell independent stories.
 #include "scene/load.h"
 #include "scenes/check.h"
 #include "scenes/statistics.h"
@@ -70,8 +70,8 @@ TEST_F(Identity, ThreadsChangeNothing) {
     unsetenv("LP_NUM_THREADS");
   else
     setenv("LP_NUM_THREADS", saved.c_str(), 1);
-  EXPECT_EQ(threads[1], threads[0] + 1) << "LP_NUM_THREADS had no effect: nothing was tested";
-  EXPECT_EQ(threads[2], threads[0] + 2);
+  EXPECT_GT(threads[1], threads[0]) << "LP_NUM_THREADS had no effect: nothing was tested";
+  EXPECT_GT(threads[2], threads[1]);
   EXPECT_TRUE(identical(films[0], films[1]));
   EXPECT_TRUE(identical(films[0], films[2]));
 }
@@ -127,7 +127,10 @@ protected:
   Values samples(std::uint32_t seed) { return valuesOf(render(scene(), setup(seed)).film); }
   static Scene scene() { return furnace(Vec3f(0.8F)); }
   static RenderSetup setup(std::uint32_t seed) {
-    return {.estimator = bsdfSampling(RouletteMode::Albedo), .width = kEdge, .height = kEdge, .frames = 1,
+    return {.estimator = bsdfSampling(RouletteMode::Albedo),
+            .width = kEdge,
+            .height = kEdge,
+            .frames = 1,
             .seed = seed};
   }
   static Values valuesOf(const Film& film) {
@@ -177,16 +180,16 @@ TEST_F(Independence, OfFrames) {
     return valuesOf(studio.integrator().film());
   };
   const Values v = frame(0);
-  for (const std::uint64_t other : {std::uint64_t{16}, std::uint64_t{1} << 20U, std::uint64_t{1} << 32U,
-                                    std::uint64_t{1} << 33U}) {
+  for (const std::uint64_t other :
+       {std::uint64_t{16}, std::uint64_t{1} << 20U, std::uint64_t{1} << 32U, std::uint64_t{1} << 33U}) {
     const Values w = frame(other);
     EXPECT_NE(v, w) << "frame " << other;
     EXPECT_LT(std::abs(correlation(v, w)), kBound) << "frames 0 and " << other;
   }
 }
 
-/// Half the samples of an image are half its information: the standard error that many short runs show is the one
-/// that each of them reports.
+/// Half the samples of an image are half its information: the standard error that many short runs show is the
+/// one that each of them reports.
 TEST_F(Independence, StandardErrorIsHonest) {
   constexpr int kRuns = 48;
   RenderSetup run = setup(0);

@@ -13,8 +13,9 @@ class Long : public RenderTest {};
 TEST_F(Long, FurnaceOfAlbedo999) {
   constexpr std::uint64_t kFrames = 46; // of 96 x 96: a standard error of 0.154 %
   for (const RouletteMode mode : {RouletteMode::Throughput, RouletteMode::Albedo}) {
-    const Rendered r = render(furnace(Vec3f(0.999F)),
-                              {.estimator = bsdfSampling(mode), .width = 96, .height = 96, .frames = kFrames});
+    const Rendered r =
+        render(furnace(Vec3f(0.999F)),
+               {.estimator = bsdfSampling(mode), .width = 96, .height = 96, .frames = kFrames});
     Trial trial("furnace", {});
     trial.expectMean(r.film, Vec3d(1.0 / (1.0 - double{0.999F})), 0.005);
     for (const std::string& failure : trial.failures())

@@ -51,7 +51,6 @@ constexpr Watch kWatches[] = {
     {Mutation::CarriedThroughputLost, "carriedPaths"},
     {Mutation::TooFewSamplesInMean, "filmOfSamples"},
     {Mutation::DeviationsFromOldMean, "filmOfSamples"},
-    {Mutation::ExcludeDropped, "glassSlab"},
     {Mutation::MergeMeanUnweighted, "mergedGroups"},
     {Mutation::MergeBetweenDropped, "mergedGroups"},
     {Mutation::MergeLowDropped, "mergedGroups"},
