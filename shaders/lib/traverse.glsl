@@ -77,6 +77,27 @@ uint popChild(INOUT(TraversalStack) stack) {
   return empty ? kTraversalDone : child;
 }
 
+// Intersects a node's children, nearest first: returns the first of those that are hit and leaves the others on
+// the stack; kTraversalPop when there is none.
+uint visitNode(uint node, SlabRay slab, Vec3 o, Float tMax, INOUT(TraversalStack) stack) {
+  UVec4 keys = intersectChildren(node, slab, o, tMax);
+  uint a = min(keys.x, keys.y);
+  uint b = max(keys.x, keys.y);
+  uint c = min(keys.z, keys.w);
+  uint d = max(keys.z, keys.w);
+  uint first = min(a, c);
+  uint e = max(a, c);
+  uint f = min(b, d);
+  uint fourth = max(b, d);
+  uint second = min(e, f);
+  uint third = max(e, f);
+  uint rest = (second != kMiss ? 64u : 0u) + (third != kMiss ? 64u : 0u) + (fourth != kMiss ? 64u : 0u);
+  if (rest != 0u) {
+    pushStack(stack, (node << 8u) | rest | (second & 3u) | ((third & 3u) << 2u) | ((fourth & 3u) << 4u));
+  }
+  return first == kMiss ? kTraversalPop : childOf(nodeChildren(node), first);
+}
+
 Hit traceClosest(Ray ray) {
   Hit hit;
   hit.t = kFarAway;
@@ -92,25 +113,7 @@ Hit traceClosest(Ray ray) {
   do {
     uint nodes = 0u;
     do {
-      if (current < kTraversalPop) {
-        UVec4 keys = intersectChildren(current, slab, ray.o, hit.t);
-        UVec4 children = nodeChildren(current);
-        uint a = min(keys.x, keys.y);
-        uint b = max(keys.x, keys.y);
-        uint c = min(keys.z, keys.w);
-        uint d = max(keys.z, keys.w);
-        uint first = min(a, c);
-        uint e = max(a, c);
-        uint fourth = max(b, d);
-        uint f = min(b, d);
-        uint second = min(e, f);
-        uint third = max(e, f);
-        uint rest = (second != kMiss ? 64u : 0u) + (third != kMiss ? 64u : 0u) + (fourth != kMiss ? 64u : 0u);
-        if (rest != 0u) {
-          pushStack(stack, (current << 8u) | rest | (second & 3u) | ((third & 3u) << 2u) | ((fourth & 3u) << 4u));
-        }
-        current = first == kMiss ? kTraversalPop : childOf(children, first);
-      }
+      if (current < kTraversalPop) current = visitNode(current, slab, ray.o, hit.t, stack);
       nodes += 1u;
     } while (current < kTraversalPop && nodes < kNodesPerStep);
     bool more = (current & kLeafBit) != 0u;
@@ -141,7 +144,7 @@ Hit traceClosest(Ray ray) {
   return hit;
 }
 
-// Whether anything but `target` lies on the ray before tMax. Any hit will do, so children stay unsorted.
+// Whether anything but `target` lies on the ray before tMax.
 bool traceOccluded(Ray ray, Float tMax, uint target) {
   bool occluded = false;
   SlabRay slab = makeSlabRay(ray.d);
@@ -152,22 +155,7 @@ bool traceOccluded(Ray ray, Float tMax, uint target) {
   do {
     uint nodes = 0u;
     do {
-      if (current < kTraversalPop) {
-        UVec4 keys = intersectChildren(current, slab, ray.o, tMax);
-        UVec4 children = nodeChildren(current);
-        uint order = 0u;
-        uint count = 0u;
-        order = keys.w != kMiss ? 3u : 0u;
-        count = keys.w != kMiss ? 1u : 0u;
-        order = keys.z != kMiss ? (order << 2u) | 2u : order;
-        count += keys.z != kMiss ? 1u : 0u;
-        order = keys.y != kMiss ? (order << 2u) | 1u : order;
-        count += keys.y != kMiss ? 1u : 0u;
-        order = keys.x != kMiss ? (order << 2u) : order;
-        count += keys.x != kMiss ? 1u : 0u;
-        if (count > 1u) pushStack(stack, (current << 8u) | ((count - 1u) << 6u) | (order >> 2u));
-        current = count == 0u ? kTraversalPop : childOf(children, order);
-      }
+      if (current < kTraversalPop) current = visitNode(current, slab, ray.o, tMax, stack);
       nodes += 1u;
     } while (current < kTraversalPop && nodes < kNodesPerStep);
     bool more = (current & kLeafBit) != 0u;

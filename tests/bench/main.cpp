@@ -8,9 +8,9 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include <array>
 #include <cstdio>
 #include <cstdlib>
+#include <fstream>
 #include <functional>
 
 namespace vkpt::bench {
@@ -111,41 +111,56 @@ Comparison raceRays(const Options& o, SceneBench& scene, SceneBench::RayBench& r
   return c;
 }
 
-/// Rate of a process of its own with so many threads of lavapipe, Msamples/s.
-double rateInChild(const Options& o, const std::string& scene, int threads) {
+/// Adds the rates of a process of its own with so many threads of lavapipe.
+void addRatesOfChild(Rates& rates, const Options& o, const std::string& scene, int threads) {
   const std::string command = fmt::format(
       "LP_NUM_THREADS={} exec '{}' --child --scenes {} --mesh '{}' --size {} --frames {}", threads,
       fs::read_symlink("/proc/self/exe").string(), scene, o.mesh.string(), o.size, o.frames);
   FILE* pipe = popen(command.c_str(), "r");
   if (pipe == nullptr)
     throw Error(ExitCode::Comparison, "cannot start: " + command);
-  std::array<char, 64> text{};
-  const bool read = std::fgets(text.data(), text.size(), pipe) != nullptr;
-  if (pclose(pipe) != 0 || !read)
+  double wall = 0.0;
+  double core = 0.0;
+  const int read = std::fscanf(pipe, "%lf %lf", &wall, &core);
+  if (pclose(pipe) != 0 || read != 2)
     throw Error(ExitCode::Comparison, "failed: " + command);
-  return std::stod(text.data());
+  rates.wall.push_back(wall);
+  rates.core.push_back(core);
 }
 
 Comparison raceThreads(const Options& o, const std::string& scene) {
-  Rates two;
   Rates one;
+  Rates two;
   for (int round = 0; round < o.rounds; ++round) {
-    one.wall.push_back(rateInChild(o, scene, 1));
-    two.wall.push_back(rateInChild(o, scene, 2));
+    addRatesOfChild(one, o, scene, 1);
+    addRatesOfChild(two, o, scene, 2);
   }
-  one.core = one.wall;
-  two.core = two.wall;
   Comparison c = compare(two, one);
   c.scene = scene;
   c.what = "2 threads / 1";
   return c;
 }
 
+/// Processor time of the thread of this process that has had most so far: where the machine is busy with
+/// other things, all that can be said of how well threads share the work.
+double secondsOfBusiestThread() {
+  double most = 0.0;
+  for (const auto& task : fs::directory_iterator("/proc/self/task")) {
+    double nanoseconds = 0.0;
+    std::ifstream(task.path() / "schedstat") >> nanoseconds;
+    most = std::max(most, 1e-9 * nanoseconds);
+  }
+  return most;
+}
+
 void runChild(const Options& o) {
   const gpu::Context context;
   DeviceBench scene(context, choose(o.scenes.at(0), o), o.size);
+  const double before = secondsOfBusiestThread();
   const double seconds = scene.render(o.frames);
-  fmt::print("{}\n", static_cast<double>(scene.samplesPerRun(o.frames)) * 1e-6 / seconds);
+  const double busy = secondsOfBusiestThread() - before;
+  const double samples = static_cast<double>(scene.samplesPerRun(o.frames)) * 1e-6;
+  fmt::print("{} {}\n", samples / seconds, samples / busy);
 }
 
 class Table {
