@@ -164,6 +164,13 @@ Context::Context(const ContextOptions& options) try
   throw DeviceError(fmt::format("Vulkan: {}", e.what()));
 }
 
+std::uint64_t Context::largestHeap() const {
+  std::uint64_t largest = 0;
+  for (std::uint32_t i = 0; i < m_memory.memoryHeapCount; ++i)
+    largest = std::max<std::uint64_t>(largest, m_memory.memoryHeaps[i].size);
+  return largest;
+}
+
 void Context::execute(const std::function<void(const vk::raii::CommandBuffer&)>& record) const {
   // Finite waits, so that a debugger or a log can show where a hung device stands.
   constexpr std::uint64_t kWaitNanoseconds = 1'000'000'000;

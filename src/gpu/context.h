@@ -36,6 +36,8 @@ public:
   [[nodiscard]] const vk::PhysicalDeviceLimits& limits() const { return m_limits; }
   [[nodiscard]] const vk::PhysicalDeviceMemoryProperties& memory() const { return m_memory; }
   [[nodiscard]] const DeviceInfo& info() const { return m_info; }
+  /// Bytes of the device's largest memory heap.
+  [[nodiscard]] std::uint64_t largestHeap() const;
   /// Messages of the validation layer so far; tests demand none.
   [[nodiscard]] std::uint64_t validationMessages() const { return *m_validationMessages; }
 

@@ -45,6 +45,12 @@ DeviceFilm::DeviceFilm(const gpu::Context& context, int width, int height)
     throw UsageError(fmt::format("--size {}x{}: {} pixels; {} can do {} at most", width, height, pixels,
                                  context.info().name, limit));
   }
+  const std::uint64_t need = pixels * sizeof(std::uint32_t) * shared::kFilmPlanes;
+  if (need > context.largestHeap()) {
+    throw UsageError(fmt::format("--size {}x{}: the film needs {:.0f} MB; {} has {:.0f} MB", width, height,
+                                 static_cast<double>(need) * 1e-6, context.info().name,
+                                 static_cast<double>(context.largestHeap()) * 1e-6));
+  }
   for (std::uint32_t i = 0; i < shared::kFilmPlanes; ++i) {
     m_planes.emplace_back(context, "film plane", pixels * sizeof(std::uint32_t),
                           vk::BufferUsageFlagBits::eStorageBuffer, gpu::MemoryKind::Device);

@@ -26,7 +26,8 @@ TEST(BvhQuality, BinsCostLittleOnUnequalSizes) {
   expectNearlyExact(together(soup(50'000, 0.3F, "large ones"), soup(50'000, 0.003F, "small ones")), 1.05);
 }
 
-/// A price of nodes far too low would give each triangle a leaf of its own, one far too high only full leaves.
+/// A price of nodes far too low would give each triangle a leaf of its own, one far too high only full
+/// leaves.
 TEST(BvhQuality, MostTrianglesShareALeafAndNotAllLeavesAreFull) {
   for (const Mesh& mesh : {waves(100), soup(20'000, 0.02F, "leaves")}) {
     const auto sizes = leafSizes(buildBvh(boxesOf(mesh)));
