@@ -1,6 +1,6 @@
 #pragma once
-// Random numbers of the host tests. Literals here carry suffixes: some of the tests are compiled with plain literals
-// as float.
+// Random numbers of the host tests. Literals here carry suffixes: some of the tests are compiled with plain
+// literals as float.
 
 #include "core/hash.h"
 

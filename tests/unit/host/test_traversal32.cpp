@@ -5,6 +5,7 @@
 #include "unit/host/random.h"
 
 #include <cmath>
+#include <numbers>
 
 #include <gtest/gtest.h>
 
@@ -35,8 +36,8 @@ std::vector<Corners> soup(test::Random& random, int count, double size) {
   std::vector<Corners> triangles;
   for (int i = 0; i < count; ++i) {
     const Vec3 centre = random.inCube<Vec3>();
-    triangles.push_back(
-        {centre + random.inCube<Vec3>(size), centre + random.inCube<Vec3>(size), centre + random.inCube<Vec3>(size)});
+    triangles.push_back({centre + random.inCube<Vec3>(size), centre + random.inCube<Vec3>(size),
+                         centre + random.inCube<Vec3>(size)});
   }
   return triangles;
 }
@@ -80,7 +81,8 @@ TEST(HostTriangle, AgreesWithDouble) {
     Float t32 = 0;
     Float b1 = 0;
     Float b2 = 0;
-    const bool hit = stage.lib.intersectTriangle(ray, stage.lib.makeRayBasis(ray.d), c[0], c[1], c[2], t32, b1, b2);
+    const bool hit =
+        stage.lib.intersectTriangle(ray, stage.lib.makeRayBasis(ray.d), c[0], c[1], c[2], t32, b1, b2);
     ASSERT_EQ(hit, inside > 0 && t > 0);
     if (hit) {
       ASSERT_NEAR(static_cast<double>(b1), b.y, tolerance);
@@ -95,12 +97,15 @@ TEST(HostTriangle, AgreesWithDouble) {
 
 /// A fan about a vertex at `offset`, and no two points of it behind one another for rays from far above.
 std::vector<Corners> fan(test::Random& random, const Vec3d& offset, std::vector<Vec3f>& ring) {
-  const int spokes = 3 + static_cast<int>(random.bits() % 10);
+  const int spokes = 5 + static_cast<int>(random.bits() % 10); // no gap of half a turn
   ring.clear();
   for (int i = 0; i < spokes; ++i) {
-    const double angle = (i + random.between(0, static_cast<double>(0.8L))) * 2 * std::numbers::pi_v<double> / spokes;
+    const double angle =
+        (i + random.between(0, static_cast<double>(0.8L))) * 2 * std::numbers::pi_v<double> / spokes;
     const double radius = random.between(static_cast<double>(0.2L), 1);
-    ring.emplace_back(Vec3d(radius * std::cos(angle), radius * std::sin(angle), random.between(0, static_cast<double>(0.1L))) + offset);
+    ring.emplace_back(Vec3d(radius * std::cos(angle), radius * std::sin(angle),
+                            random.between(0, static_cast<double>(0.1L))) +
+                      offset);
   }
   std::vector<Corners> triangles;
   for (std::size_t i = 0; i < ring.size(); ++i)
@@ -115,7 +120,7 @@ TEST(HostTriangle, NoRaySlipsThroughSharedEdgesAndVertices) { // W2
     const Vec3d offset = mesh % 2 == 0 ? Vec3d(0) : random.inCube<Vec3d>(1000);
     std::vector<Vec3f> ring;
     Stage stage(fan(random, offset, ring));
-    const Vec3d centre(Vec3f(offset)); // the vertex as the mesh has it
+    const Vec3d centre{Vec3f(offset)}; // the vertex as the mesh has it
     for (int i = 0; i < 500; ++i) {
       const Vec3d eye = centre + Vec3d(random.between(-1, 1), random.between(-1, 1), random.between(10, 20));
       const Vec3d spoke(ring[random.bits() % ring.size()]);
@@ -166,7 +171,8 @@ TEST(HostTraversal, FindsWhatBruteForceFinds) {
       ASSERT_EQ(stage.lib.traceOccluded(ray, Library::kFarAway, Library::kNoTriangle), found);
       if (found) { // neither what lies behind the end, nor the end itself, nor the target
         ASSERT_FALSE(stage.lib.traceOccluded(ray, hit.t, Library::kNoTriangle));
-        ASSERT_TRUE(stage.lib.traceOccluded(ray, std::nextafter(hit.t, Library::kFarAway), Library::kNoTriangle));
+        ASSERT_TRUE(
+            stage.lib.traceOccluded(ray, std::nextafter(hit.t, Library::kFarAway), Library::kNoTriangle));
         ASSERT_FALSE(stage.lib.traceOccluded(ray, std::nextafter(hit.t, Library::kFarAway), hit.triangle));
         ++hits;
       }

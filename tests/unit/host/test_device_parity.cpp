@@ -1,0 +1,43 @@
+// The device against both host programs: the same paths, but for the few that rounding parts.
+
+#include "scenes/render_fixture.h"
+#include "unit/host/boxes.h"
+#include "unit/host/image_difference.h"
+
+namespace vkpt::test {
+namespace {
+
+constexpr int kSize = 64;
+constexpr int kFrames = 16;
+
+class DeviceParity : public RenderTest, public testing::WithParamInterface<BoxParity> {
+protected:
+  static void expectParity(const Film& device, const HostRender& host, double partedPerSample) {
+    EXPECT_EQ(host.counters.faults(), 0U);
+    const PartedPaths limit = partedPaths(partedPerSample, kSize * kSize * kFrames);
+    const ImageDifference d = differenceOf(device, host.film);
+    EXPECT_LE(d.pixels, limit.most);
+    EXPECT_LE(d.meanOverSe, limit.meanOverSe);
+  }
+};
+
+TEST_P(DeviceParity, WalksThePathsOfTheHost) {
+  const CornellScene box = cornellBox(GetParam().box, kSize, seed());
+  RenderSetup setup;
+  setup.width = kSize;
+  setup.height = kSize;
+  setup.frames = kFrames;
+  setup.seed = seed();
+  const Film device = render(box.scene, setup).film;
+  const auto host = [&](const auto& renderHost) {
+    return renderHost(box.packed, box.scene, box.effects, box.settings, kFrames, 2);
+  };
+  expectParity(device, host(renderHost32), GetParam().partedInFloat);
+  expectParity(device, host(renderHost64), GetParam().partedInDouble);
+}
+
+INSTANTIATE_TEST_SUITE_P(Boxes, DeviceParity, testing::ValuesIn(kBoxParities),
+                         [](const auto& box) { return std::string(box.param.box); });
+
+} // namespace
+} // namespace vkpt::test
