@@ -12,15 +12,24 @@ Float fresnelDielectric(Float cosI, Float eta, OUT(Float) cosT) {
   return eta == 1.0 ? 0.0 : f;
 }
 
+struct DielectricDirection {
+  Vec3 wi;
+  bool reflected;
+  bool total; // reflected totally
+};
+
 // A direction by Snell's law about n; `u` in [0, 1) chooses the branch.
-Vec3 dielectricDirection(Vec3 wo, Vec3 n, Float eta, Float u, OUT(bool) reflected) {
+DielectricDirection dielectricDirection(Vec3 wo, Vec3 n, Float eta, Float u) {
   Float cosI = min(dot(n, wo), 1.0);
   Float cosT;
   Float f = fresnelDielectric(cosI, eta, cosT);
-  reflected = MUTATE(AlwaysReflects, u < MUTATE(NeverReflects, f, floor(f)), true);
+  DielectricDirection d;
+  d.reflected = MUTATE(AlwaysReflects, u < MUTATE(NeverReflects, f, floor(f)), true);
+  d.total = cosT == 0.0;
   Vec3 reflection = n * (2.0 * cosI) - wo;
   Vec3 refraction = n * (cosI / eta - cosT) - wo / eta;
-  return reflected ? reflection : refraction;
+  d.wi = d.reflected ? reflection : refraction;
+  return d;
 }
 
 // front: the ray comes from the side the normal points to, the index `m.ior` lies behind.
@@ -28,10 +37,14 @@ BsdfSample sampleDielectric(Material m, Vec3 wo, Vec3 n, Vec3 ng, bool front, Fl
   bool entering = MUTATE(GlassAlwaysEntered, front, true);
   Float eta = MUTATE(EtaInverted, entering, !entering) ? m.ior : 1.0 / m.ior;
   BsdfSample s;
-  bool reflected;
-  s.wi = dielectricDirection(wo, n, eta, u, reflected);
-  if ((dot(s.wi, ng) > 0.0) != reflected) { // a shading normal sent it to the wrong side
-    s.wi = dielectricDirection(wo, ng, eta, u, reflected);
+  DielectricDirection d = dielectricDirection(wo, n, eta, u);
+  s.wi = d.wi;
+  if (kEffectSmoothNormals) {
+    // The geometric normal decides where the shading normal sends light to the wrong side, and where only the
+    // shading normal reflects totally: a smooth sphere lets out what it let in, its facets must not trap it.
+    DielectricDirection g = dielectricDirection(wo, ng, eta, u);
+    bool wrongSide = (dot(d.wi, ng) > 0.0) != d.reflected;
+    if (wrongSide || (d.total && !g.total)) s.wi = g.wi;
   }
   s.wi = normalize(s.wi);
   s.weight = Vec3(1.0);

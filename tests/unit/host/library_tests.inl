@@ -1,5 +1,6 @@
-// The shader library's functions against what they must be. Included once for each precision, inside a namespace that
-// has Float, Vec3, ... and Program; SUITE(Name) makes the suite's name. Literals carry suffixes, or are exact.
+// The shader library's functions against what they must be. Included once for each precision, inside a
+// namespace that has Float, Vec3, ... and Program; SUITE(Name) makes the suite's name. Literals carry
+// suffixes, or are exact.
 
 namespace {
 
@@ -20,8 +21,8 @@ double frameError(const Library::Frame& f) {
   const Vec3d t = toDouble(f.t);
   const Vec3d n = toDouble(f.n);
   double worst = 0;
-  for (const double e : {glm::length(s) - 1, glm::length(t) - 1, glm::dot(s, t), glm::dot(s, n), glm::dot(t, n),
-                         glm::dot(glm::cross(s, t), n) - 1})
+  for (const double e : {glm::length(s) - 1, glm::length(t) - 1, glm::dot(s, t), glm::dot(s, n),
+                         glm::dot(t, n), glm::dot(glm::cross(s, t), n) - 1})
     worst = std::max(worst, std::abs(e));
   return worst;
 }
@@ -66,7 +67,8 @@ TEST(SUITE(Frame), AxesAreExact) {
 TEST(SUITE(Warp), CosineHemisphereIsUnitAboveTheSurface) {
   Stage stage;
   test::Random random;
-  const double tolerance = 8 * static_cast<double>(kEpsilon); // a square root, a sine and a product a component
+  const double tolerance =
+      8 * static_cast<double>(kEpsilon); // a square root, a sine and a product a component
   for (int i = 0; i < 100'000; ++i) {
     const Float u = stage.lib.toUnit(i == 0 ? 0xFFFFFFFFU : random.bits());
     const Float v = stage.lib.toUnit(random.bits());
@@ -84,10 +86,12 @@ double fresnel(Stage& stage, double cosI, double eta) {
 TEST(SUITE(Fresnel), SpotValues) { // D3: half the sum of the squared amplitudes
   Stage stage;
   const auto half = [](long double s, long double p) { return number((s * s + p * p) / 2); };
-  EXPECT_NEAR(fresnel(stage, std::sqrt(number(0.5L)), number(1.5L)), half(0.3033370L, 0.0920134L), number(1e-6L));
+  EXPECT_NEAR(fresnel(stage, std::sqrt(number(0.5L)), number(1.5L)), half(0.3033370L, 0.0920134L),
+              number(1e-6L));
   const double inside = std::cos(number(10) * std::numbers::pi_v<double> / 180);
   EXPECT_NEAR(fresnel(stage, inside, 1 / number(1.5L)), half(0.2094943L, 0.1904680L), number(1e-6L));
-  const double brewster = 1 / std::sqrt(1 + number(2.25L)); // tan = 1.5: nothing of p polarisation is reflected
+  const double brewster =
+      1 / std::sqrt(1 + number(2.25L)); // tan = 1.5: nothing of p polarisation is reflected
   const double rs = (1 - number(2.25L)) / (1 + number(2.25L));
   EXPECT_NEAR(fresnel(stage, brewster, number(1.5L)), rs * rs / 2, number(1e-6L));
 }
@@ -134,10 +138,12 @@ TEST(SUITE(Fresnel), AgreesWithTheEquationsAndStaysInRange) {
     const double f = fresnel(stage, cosI, eta);
     ASSERT_GE(f, 0);
     ASSERT_LE(f, 1);
-    // Near the critical angle F falls from 1 like a square root: what rounding does to sin^2 shows as its root.
+    // Near the critical angle F falls from 1 like a square root: what rounding does to sin^2 shows as its
+    // root.
     const double sin2T = (1 - double(cosI) * cosI) / (double(eta) * eta);
     const double rounding = 8 * static_cast<double>(kEpsilon);
-    const double tolerance = number(1e-6L) + 8 * (std::sqrt(std::abs(1 - sin2T) + rounding) - std::sqrt(std::abs(1 - sin2T)));
+    const double tolerance =
+        number(1e-6L) + 8 * (std::sqrt(std::abs(1 - sin2T) + rounding) - std::sqrt(std::abs(1 - sin2T)));
     const double error = std::abs(f - number(exactFresnel(cosI, eta)));
     worst = std::max(worst, error / tolerance);
   }
@@ -171,7 +177,8 @@ TEST(SUITE(Fresnel), ConductorWithoutAbsorptionIsADielectric) {
   for (int i = 0; i < 100'000; ++i) {
     const Float cosI = Float(random.unit());
     const Float eta = Float(random.between(1 + number(1e-3L), 3));
-    ASSERT_NEAR(stage.lib.fresnelConductor(cosI, eta, 0), number(exactFresnel(cosI, eta)), tolerance) << cosI << " " << eta;
+    ASSERT_NEAR(stage.lib.fresnelConductor(cosI, eta, 0), number(exactFresnel(cosI, eta)), tolerance)
+        << cosI << " " << eta;
   }
 }
 
@@ -186,50 +193,80 @@ TEST(SUITE(Fresnel), MetalStaysInRange) {
   }
 }
 
-TEST(SUITE(Glass), RefractionObeysSnell) {
+/// A direction and a normal on its side.
+struct Incidence {
+  Vec3 wo;
+  Vec3 n;
+};
+Incidence incidence(test::Random& random) {
+  const Vec3 n = random.direction<Vec3>();
+  const Vec3 wo = random.direction<Vec3>();
+  return {glm::dot(n, wo) < 0 ? -wo : wo, n};
+}
+
+/// Where light goes at a smooth surface behind which the index is m.
+Vec3 throughGlass(Stage& stage, const Incidence& at, Float m, bool front, uint bits) {
+  Library::Material glass;
+  glass.bsdf = kBsdfDielectric;
+  glass.ior = m;
+  return stage.lib.sampleDielectric(glass, at.wo, at.n, at.n, front, stage.lib.toUnit(bits)).wi;
+}
+
+TEST(SUITE(Glass), DirectionsObeySnell) {
   Stage stage;
   test::Random random;
   int refracted = 0;
   for (int i = 0; i < 100'000; ++i) {
-    const Vec3 n = random.direction<Vec3>();
-    Vec3 wo = random.direction<Vec3>();
-    if (glm::dot(n, wo) < 0)
-      wo = -wo;
+    const Incidence at = incidence(random);
+    const Vec3d n = toDouble(at.n);
+    const Vec3d wo = toDouble(at.wo);
     const Float m = Float(random.between(1, 3));
-    const Float eta = i % 2 == 0 ? m : 1 / m;
-    bool reflected = true;
-    const Vec3 wi = stage.lib.dielectricDirection(wo, n, eta, stage.lib.toUnit(0xFFFFFFFFU), reflected);
-    const Vec3d sines = glm::cross(toDouble(n), toDouble(wi)) * double(reflected ? 1 : eta);
-    const Vec3d expected = -glm::cross(toDouble(n), toDouble(wo));
-    // A few roundings of components up to m, divided by an index down to 1 / 3.
-    ASSERT_NEAR(glm::length(sines - expected), 0, 32 * static_cast<double>(kEpsilon)) << eta;
-    const double side = glm::dot(toDouble(n), toDouble(wi));
-    ASSERT_TRUE(reflected ? side >= 0 : side <= 0);
-    const double cosI = glm::dot(toDouble(n), toDouble(wo));
-    const bool total = (1 - cosI * cosI) >= double(eta) * eta * (1 + number(1e-5L));
-    ASSERT_TRUE(!total || reflected);
+    const bool front = i % 2 == 0;
+    const double eta = front ? double(m) : 1 / double(m);
+    const Vec3d wi = toDouble(throughGlass(stage, at, m, front, i % 4 < 2 ? 0xFFFFFFFFU : random.bits()));
+    const bool reflected = glm::dot(n, wi) > 0;
+    // A few roundings of components up to 3 (an index), and of the angle's cosine, whose sine may be small.
+    const double tolerance = 64 * static_cast<double>(kEpsilon);
+    const Vec3d sines = glm::cross(n, wi) * (reflected ? 1 : eta);
+    ASSERT_NEAR(glm::length(sines + glm::cross(n, wo)), 0, tolerance) << eta;
+    ASSERT_NEAR(glm::length(wi), 1, tolerance);
+    const double cosI = glm::dot(n, wo);
+    ASSERT_TRUE(reflected || 1 - cosI * cosI <= eta * eta * (1 + tolerance))
+        << "refracted beyond the critical angle";
     refracted += reflected ? 0 : 1;
   }
   EXPECT_GT(refracted, 50'000);
+}
+
+TEST(SUITE(Glass), ReflectsItsShare) {
+  Stage stage;
+  test::Random random;
+  for (int i = 0; i < 20; ++i) {
+    const Incidence at = incidence(random);
+    const double share = fresnel(stage, glm::dot(toDouble(at.n), toDouble(at.wo)), number(1.5L));
+    constexpr int kDraws = 20'000;
+    int reflected = 0;
+    for (int k = 0; k < kDraws; ++k)
+      reflected +=
+          glm::dot(throughGlass(stage, at, Float(number(1.5L)), true, random.bits()), at.n) > 0 ? 1 : 0;
+    // Binomial; 20 tests at 4.5 deviations.
+    ASSERT_NEAR(reflected, share * kDraws, number(4.5L) * std::sqrt(share * (1 - share) * kDraws) + 1);
+  }
 }
 
 TEST(SUITE(Glass), IndexOneLetsRaysThrough) {
   Stage stage;
   test::Random random;
   for (int i = 0; i < 10'000; ++i) {
-    const Vec3 n = random.direction<Vec3>();
-    Vec3 wo = random.direction<Vec3>();
-    if (glm::dot(n, wo) < 0)
-      wo = -wo;
-    bool reflected = true;
-    const Vec3 wi = stage.lib.dielectricDirection(wo, n, 1, 0, reflected);
-    ASSERT_FALSE(reflected);
+    const Incidence at = incidence(random);
+    const Vec3 wi = throughGlass(stage, at, 1, true, 0);
     // cosT = sqrt(1 - (1 - cosI^2)): at grazing incidence the square root of a rounding.
-    ASSERT_NEAR(glm::length(toDouble(wi) + toDouble(wo)), 0, 2 * std::sqrt(static_cast<double>(kEpsilon)));
+    ASSERT_NEAR(glm::length(toDouble(wi) + toDouble(at.wo)), 0, 2 * std::sqrt(static_cast<double>(kEpsilon)));
   }
 }
 
-TEST(SUITE(Numbers), UnitIntervalIsHalfOpen) { // M7: 24 bits decide, so these are all values there are at the ends
+TEST(SUITE(Numbers),
+     UnitIntervalIsHalfOpen) { // M7: 24 bits decide, so these are all values there are at the ends
   Stage stage;
   EXPECT_EQ(stage.lib.toUnit(0), 0);
   EXPECT_EQ(double(stage.lib.toUnit(0xFFFFFFFFU)), 1 - number(0x1p-24L));
@@ -254,10 +291,13 @@ TEST(SUITE(Numbers), NeighbouringCountersAreUncorrelated) {
         const UVec4 a = stage.lib.pcg4d(counter);
         counter[step] += 1;
         const UVec4 b = stage.lib.pcg4d(counter);
-        sum += (double(stage.lib.toUnit(a[output])) - number(0.5L)) * (double(stage.lib.toUnit(b[output])) - number(0.5L));
+        sum += (double(stage.lib.toUnit(a[output])) - number(0.5L)) *
+               (double(stage.lib.toUnit(b[output])) - number(0.5L));
       }
-      // Standardised: the variance of a uniform number is 1/12. 16 tests at 4.5 sigma: 1e-4 to fail by chance.
-      EXPECT_LT(std::abs(12 * sum / kPairs), number(4.5L) / std::sqrt(double(kPairs))) << step << " " << output;
+      // Standardised: the variance of a uniform number is 1/12. 16 tests at 4.5 sigma: 1e-4 to fail by
+      // chance.
+      EXPECT_LT(std::abs(12 * sum / kPairs), number(4.5L) / std::sqrt(double(kPairs)))
+          << step << " " << output;
     }
   }
 }

@@ -4,6 +4,7 @@
 #include "unit/host/mesh_scene.h"
 #include "unit/host/random.h"
 
+#include <array>
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -137,6 +138,28 @@ TEST_F(FilmArithmetic, MergedDeviationsAreNeverNegative) {
       lib.mergeGroup(mean, deviations, g * shared::kSamplesPerGroup, m, 0, shared::kSamplesPerGroup);
       ASSERT_GE(value(deviations), 0);
     }
+  }
+}
+
+TEST_F(FilmArithmetic, AGroupHasTheMomentsOfItsSamples) {
+  for (int i = 0; i < 10'000; ++i) {
+    Vec3 mean(0);
+    Vec3 deviations(0);
+    std::array<double, shared::kSamplesPerGroup> samples{};
+    double sum = 0;
+    for (std::uint32_t n = 0; n < samples.size(); ++n) {
+      const auto sample = static_cast<float>(random.between(0, 4));
+      samples[n] = asDouble(sample);
+      sum += samples[n];
+      lib.addSample(mean, deviations, static_cast<float>(n + 1), Vec3(sample));
+    }
+    const double expectedMean = sum / samples.size();
+    double expected = 0;
+    for (const double s : samples)
+      expected += (s - expectedMean) * (s - expectedMean);
+    // Each of 16 updates rounds values up to 4, and squares of them.
+    ASSERT_NEAR(asDouble(mean.y), expectedMean, 16 * 4 * asDouble(kEpsilon));
+    ASSERT_NEAR(asDouble(deviations.y), expected, 16 * 2 * 16 * asDouble(kEpsilon));
   }
 }
 
