@@ -23,7 +23,8 @@ nlohmann::ordered_json frameNumber(double frames) {
 std::string errorText(const FilmStatistics& film) {
   if (!std::isfinite(film.relativeError))
     return "relative error not known (fewer than 2 samples a pixel)";
-  return fmt::format("estimated relative error {:.2f} %", film.relativeError * 100.0);
+  return fmt::format("estimated relative error {:.2f} % (95 % confident: below {:.2f} %)",
+                     film.relativeError * 100.0, film.relativeErrorUpper * 100.0);
 }
 
 double samplesPerSecond(const RunReport& r) {
@@ -48,7 +49,9 @@ nlohmann::ordered_json statsOf(const RunReport& r) {
   j["samples"] = r.film.samples;
   j["rays"] = {{"closest", r.counters.raysClosest}, {"shadow", r.counters.raysShadow}};
   j["samplesPerSecond"] = samplesPerSecond(r);
-  j["error"] = {{"relative", r.film.relativeError}, {"standardError", rgb(r.film.standardError)}};
+  j["error"] = {{"relative", r.film.relativeError},
+                {"relativeUpper95", r.film.relativeErrorUpper},
+                {"standardError", rgb(r.film.standardError)}};
   j["mean"] = rgb(r.film.mean);
   j["effects"] = r.effects;
   j["device"] = r.device;

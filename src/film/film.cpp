@@ -34,6 +34,8 @@ bool isFinite(const Vec3d& v) { return std::isfinite(v.x) && std::isfinite(v.y) 
 bool isFinite(const PixelMoments& p) { return isFinite(p.mean) && isFinite(p.m2); }
 bool isMeasured(const PixelMoments& p) { return p.count > 0 && isFinite(p); }
 
+constexpr double kNormal95 = 1.6448536269514722; // 95 % quantile of the normal distribution
+
 /// Sum over the channels of (standard error)^2 / (a^2 + floor).
 double relativeSquares(const PixelMoments& p, double floor) {
   const Vec3d variance = p.varianceOfMean();
@@ -67,6 +69,7 @@ FilmStatistics filmStatistics(const Film& film) {
   if (measured == 0 || !errorKnown) {
     s.standardError = Vec3d(std::numeric_limits<double>::infinity());
     s.relativeError = std::numeric_limits<double>::infinity();
+    s.relativeErrorUpper = s.relativeError;
   }
   if (measured == 0)
     return s;
@@ -76,11 +79,12 @@ FilmStatistics filmStatistics(const Film& film) {
     return s;
   s.standardError = glm::sqrt(variance) / n;
   const double m = (s.mean.x + s.mean.y + s.mean.z) / 3.0;
-  double squares = 0.0;
+  PixelMoments squares; // of the pixels' relative squared errors, in the first channel
   for (const PixelMoments& p : film.pixels)
     if (isMeasured(p))
-      squares += relativeSquares(p, (0.01 * m) * (0.01 * m));
-  s.relativeError = std::sqrt(squares / (3.0 * n));
+      squares.merge({1, Vec3d(relativeSquares(p, (0.01 * m) * (0.01 * m)) / 3.0), Vec3d(0.0)});
+  s.relativeError = std::sqrt(squares.mean.x);
+  s.relativeErrorUpper = std::sqrt(squares.mean.x + kNormal95 * std::sqrt(squares.varianceOfMean().x));
   return s;
 }
 

@@ -43,6 +43,9 @@ struct FilmStatistics {
   Vec3d mean{0.0};            ///< mean linear radiance, W m^-2 sr^-1
   Vec3d standardError{0.0};   ///< of that mean; infinite where not known, see filmStatistics()
   double relativeError = 0.0; ///< estimate of sqrt(relMSE); infinite where not known, see filmStatistics()
+  /// Upper 95 % confidence bound of relativeError: the pixels' squared errors are estimates themselves, and
+  /// their mean has a standard error. Equal to relativeError for a single pixel, whose scatter is not known.
+  double relativeErrorUpper = 0.0;
   std::uint64_t nonFinitePixels = 0;
   std::uint64_t samples = 0; ///< over all pixels
 };

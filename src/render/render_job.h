@@ -14,7 +14,7 @@ const char* stopReasonName(StopReason reason);
 struct RenderJob {
   std::optional<std::uint64_t> frames; ///< samples for every pixel
   std::optional<double> seconds;       ///< of rendering
-  std::optional<double> targetError;   ///< relative error of the image
+  std::optional<double> targetError;   ///< relative error of the image, 95 % confident
   std::uint32_t batch =
       shared::kSamplesPerGroup; ///< frames per unit of work, 1..kSamplesPerGroup; no image depends on it
   std::uint32_t tileBlocks = 0; ///< blocks per unit of work; 0: by measured time. No image depends on it

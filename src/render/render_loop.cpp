@@ -68,7 +68,7 @@ private:
     if (!m_job.targetError || m_frame < m_nextErrorCheck)
       return false;
     m_nextErrorCheck = m_frame + std::max<std::uint64_t>(m_frame / 2, 1);
-    m_error = filmStatistics(m_integrator.film()).relativeError;
+    m_error = filmStatistics(m_integrator.film()).relativeErrorUpper; // 95 % confident
     return *m_error <= *m_job.targetError;
   }
 

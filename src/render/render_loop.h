@@ -10,7 +10,7 @@ struct RenderProgress {
   double seconds = 0.0;                   ///< of rendering so far
   std::optional<double> remainingSeconds; ///< by the rule that will stop the run first, where that is known
   double samplesPerSecond = 0.0;
-  std::optional<double> relativeError; ///< as of the last look at the film
+  std::optional<double> relativeError; ///< 95 % upper bound, as of the last look at the film
 };
 
 /// Watches a run. The loop calls it after every unit of work; it may not touch the integrator.

@@ -228,6 +228,8 @@ int run(int argc, char** argv) {
     runChild(o);
     return 0;
   }
+  if (o.size % static_cast<int>(shared::kBlockEdge) != 0)
+    throw UsageError(fmt::format("--size {}: not a multiple of {}", o.size, shared::kBlockEdge));
   setenv("LP_NUM_THREADS", "1", 1); // before the driver is loaded
   runAll(o);
   return 0;

@@ -51,7 +51,8 @@ TEST(Stop, AtAnError) {
   EXPECT_EQ(r.exitCode, 0) << r.err;
   const json s = folder.json("s.json");
   EXPECT_EQ(s["stop"], "error");
-  EXPECT_LE(s["error"]["relative"], 0.3);
+  EXPECT_LE(s["error"]["relativeUpper95"], 0.3);
+  EXPECT_LT(s["error"]["relative"], s["error"]["relativeUpper95"]);
   EXPECT_NE(r.out.find("stopped by: error"), std::string::npos) << r.out;
 }
 

@@ -32,6 +32,27 @@ Film sampledFilm(int width, int height, int samples, std::mt19937_64& random, st
   return film;
 }
 
+/// Of 400 films, about 380 bound what the estimate estimates: its square's expectation. The limits are
+/// the 99.9 % points of the binomial distribution, loosened below for the skewness that a normal quantile
+/// leaves out.
+TEST(FilmStatistics, TheUpperBoundOfTheErrorHoldsIn95OfACentury) {
+  auto random = randomOfTest();
+  std::vector<Vec3d> truth;
+  std::vector<FilmStatistics> films;
+  double expected = 0.0;
+  for (int i = 0; i < 400; ++i) {
+    films.push_back(filmStatistics(sampledFilm(20, 20, 8, random, truth)));
+    expected += films.back().relativeError * films.back().relativeError / 400.0;
+  }
+  int held = 0;
+  for (const FilmStatistics& f : films) {
+    EXPECT_GT(f.relativeErrorUpper, f.relativeError);
+    held += f.relativeErrorUpper * f.relativeErrorUpper >= expected ? 1 : 0;
+  }
+  EXPECT_GE(held, 362);
+  EXPECT_LE(held, 393);
+}
+
 TEST(FilmStatistics, EqualDirectSums) {
   auto random = randomOfTest();
   std::vector<Vec3d> truth;
