@@ -9,6 +9,12 @@
 namespace vkpt {
 namespace {
 
+// The traversal's bound (shaders/shared/structs.h) holds for the leaves that are built.
+static_assert(shared::kLeafTriangles == kMaxLeafTriangles);
+static_assert((shared::kStepBudget + 1 + 2 * shared::kMaxTraversalSteps) *
+                  (1 + shared::kNodesPerStep + shared::kLeafTriangles) <
+              65535);
+
 Texel texel(const Vec3f& v, std::uint32_t w) {
   return {std::bit_cast<std::uint32_t>(v.x), std::bit_cast<std::uint32_t>(v.y),
           std::bit_cast<std::uint32_t>(v.z), w};
