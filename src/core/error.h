@@ -41,11 +41,22 @@ public:
   explicit DeviceError(const std::string& what) : Error(ExitCode::Device, what) {}
 };
 
-/// Where in an input file something stands; `line` 0: the file as a whole.
+/// Where in an input file something stands, both from 1; `line` 0: the file as a whole; `column` 0: not
+/// known.
 struct SourceLocation {
   std::string file;
   std::size_t line = 0;
-  [[nodiscard]] std::string text() const { return line == 0 ? file : file + ":" + std::to_string(line); }
+  std::size_t column = 0;
+  /// file:line:column, as far as they are known.
+  [[nodiscard]] std::string text() const {
+    std::string text = file;
+    for (const std::size_t number : {line, column}) {
+      if (number == 0)
+        break;
+      text.append(":").append(std::to_string(number));
+    }
+    return text;
+  }
 };
 
 class SceneError : public Error {

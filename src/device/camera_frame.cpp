@@ -37,7 +37,8 @@ void setCamera(shared::FrameConstants& constants, const Scene& scene, int width,
   const double aspect = static_cast<double>(width) / static_cast<double>(height);
   const bool horizontal = c.fovAxis == Camera::FovAxis::Horizontal;
   const Vec3d forward = glm::normalize(view);
-  const Vec3d right = glm::normalize(side) * (horizontal ? extent : extent * aspect);
+  const double handedness = c.mirrored ? -1.0 : 1.0;
+  const Vec3d right = glm::normalize(side) * (handedness * (horizontal ? extent : extent * aspect));
   const Vec3d down = glm::normalize(glm::cross(forward, side)) * (horizontal ? extent / aspect : extent);
   constants.eye = toVec4(c.eye - scene.origin);
   constants.upperLeft = toVec4(forward - 0.5 * right - 0.5 * down);

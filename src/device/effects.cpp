@@ -23,6 +23,8 @@ Effect effectOf(BsdfType type) {
     return Effect::Glass;
   case BsdfType::Conductor:
     return Effect::Metal;
+  default:
+    break;
   }
   return Effect::Diffuse;
 }

@@ -1,17 +1,13 @@
 #pragma once
 // How light transport is estimated: the options that decide what the kernel computes.
 
+#include "scene/scene.h"
+
 #include <cstdint>
 #include <limits>
 #include <optional>
 
 namespace vkpt {
-
-/// How emitters are found.
-enum class LightStrategy {
-  Nee,  ///< next event estimation: by sampling points on emitters
-  Bsdf, ///< by directions sampled from the BSDF alone
-};
 
 enum class RouletteMode : std::uint32_t {
   Albedo = 0,     ///< survive with the surface's mean reflectance
