@@ -25,6 +25,20 @@ float filmFloat(uint plane, uint pixel) { return uintBitsToFloat(film[plane].val
     film[kFilmDeviations + 2u * channel + 1u].values[pixel] = floatBitsToUint(d.low);                        \
   }
 
+#define VKPT_CLOSE_KIND_CHANNEL(k, channel)                                                                  \
+  {                                                                                                          \
+    uint open = kindPlane(kKindOpen + channel, pixel);                                                       \
+    uint high = kindPlane(kKindClosed + 2u * channel, pixel);                                                \
+    uint low = kindPlane(kKindClosed + 2u * channel + 1u, pixel);                                            \
+    Pair sum = addPairs(makePair(kinds[k].values[high], kinds[k].values[low]),                               \
+                        makePair(kinds[k].values[open], 0.0));                                               \
+    kinds[k].values[high] = sum.high;                                                                        \
+    kinds[k].values[low] = sum.low;                                                                          \
+    kinds[k].values[open] = 0.0;                                                                             \
+  }
+#define VKPT_CLOSE_KIND(k)                                                                                   \
+  VKPT_CLOSE_KIND_CHANNEL(k, 0u) VKPT_CLOSE_KIND_CHANNEL(k, 1u) VKPT_CLOSE_KIND_CHANNEL(k, 2u)
+
 void main() {
   uint slot = gl_GlobalInvocationID.x;
   uint x;
@@ -43,6 +57,14 @@ void main() {
     VKPT_MERGE_CHANNEL(2u, z)
     mean = vec3(0.0);
     deviations = vec3(0.0);
+    if (kEffectKindImages) {
+      VKPT_CLOSE_KIND(kKindEmission)
+      VKPT_CLOSE_KIND(kKindDirect)
+      VKPT_CLOSE_KIND(kKindCaustic)
+      VKPT_CLOSE_KIND(kKindIndirect)
+      VKPT_CLOSE_KIND(kKindIndirectCaustic)
+      VKPT_CLOSE_KIND(kKindSpecular)
+    }
   }
   film[kFilmOpenMean].values[pixel] = floatBitsToUint(mean.x);
   film[kFilmOpenMean + 1u].values[pixel] = floatBitsToUint(mean.y);

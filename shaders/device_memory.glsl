@@ -6,6 +6,7 @@
 VKPT_EFFECTS(VKPT_DECLARE_EFFECT)
 layout(constant_id = 64) const uint kStackDepth = kMaxStackDepth; // kConstantStackDepth
 layout(constant_id = 65) const uint kRouletteMode = 1u; // kConstantRouletteMode
+layout(constant_id = 66) const uint kFilterShape = 0u; // kConstantFilterShape
 
 layout(set = 0, binding = kBindingFrame, std140) uniform FrameBlock { FrameConstants frame; };
 
@@ -14,6 +15,9 @@ layout(set = 0, binding = kBindingTriangles, rgba32ui) uniform readonly restrict
 layout(set = 0, binding = kBindingNormals, rgba32ui) uniform readonly restrict uimageBuffer normalTexels;
 layout(set = 0, binding = kBindingMaterials, rgba32ui) uniform readonly restrict uimageBuffer materialTexels;
 layout(set = 0, binding = kBindingLights, rgba32ui) uniform readonly restrict uimageBuffer lightTexels;
+layout(set = 0, binding = kBindingUvs, rgba32ui) uniform readonly restrict uimageBuffer uvTexels;
+layout(set = 0, binding = kBindingTextures, rgba32ui) uniform readonly restrict uimageBuffer textureTexels;
+layout(set = 0, binding = kBindingEnvironment, rgba32ui) uniform readonly restrict uimageBuffer environmentTexels;
 
 vec4 nodeBounds(uint node, uint row) {
   return uintBitsToFloat(imageLoad(nodeTexels, int(node * kTexelsPerNode + row)));
@@ -35,19 +39,54 @@ TriangleRecord triangleRecord(uint i) {
 vec3 triangleNormal(uint i, uint corner) {
   return uintBitsToFloat(imageLoad(normalTexels, int(i * kTexelsPerTriangle + corner)).xyz);
 }
+vec2 triangleUv(uint i, uint corner) {
+  if (corner < 2u) {
+    uvec4 a = imageLoad(uvTexels, int(i * kTexelsPerUv));
+    return uintBitsToFloat(corner == 0u ? a.xy : a.zw);
+  }
+  return uintBitsToFloat(imageLoad(uvTexels, int(i * kTexelsPerUv + 1u)).xy);
+}
 Material material(uint i) {
-  uvec4 a = imageLoad(materialTexels, int(i * kTexelsPerMaterial));
-  uvec4 b = imageLoad(materialTexels, int(i * kTexelsPerMaterial + 1u));
-  uvec4 c = imageLoad(materialTexels, int(i * kTexelsPerMaterial + 2u));
-  uvec4 d = imageLoad(materialTexels, int(i * kTexelsPerMaterial + 3u));
+  int first = int(i * kTexelsPerMaterial);
+  uvec4 a = imageLoad(materialTexels, first);
+  uvec4 b = imageLoad(materialTexels, first + 1);
+  uvec4 c = imageLoad(materialTexels, first + 2);
+  uvec4 d = imageLoad(materialTexels, first + 3);
+  uvec4 e = imageLoad(materialTexels, first + 4);
+  uvec4 f = imageLoad(materialTexels, first + 5);
   Material m;
-  m.bsdf = a.w;
   m.reflectance = uintBitsToFloat(a.xyz);
+  m.bsdf = a.w & 0xFFFFu;
+  m.flags = a.w >> 16u;
   m.emission = uintBitsToFloat(b.xyz);
-  m.ior = uintBitsToFloat(b.w);
+  m.lightPdf_A = uintBitsToFloat(b.w);
   m.eta = uintBitsToFloat(c.xyz);
+  m.roughness = uintBitsToFloat(c.w);
   m.k = uintBitsToFloat(d.xyz);
+  m.ior = uintBitsToFloat(d.w);
+  m.specular = uintBitsToFloat(e.xyz);
+  m.texture = e.w;
+  m.absorption = uintBitsToFloat(f.xyz);
   return m;
+}
+TextureRecord textureRecord(uint i) {
+  uvec4 a = imageLoad(textureTexels, int(i));
+  return TextureRecord(a.x, a.y, a.z);
+}
+vec3 texturePixel(uint pixel) {
+  uvec4 pair = imageLoad(textureTexels, int(pixel / kPixelsPerTexel));
+  uvec2 halves = (pixel & 1u) == 0u ? pair.xy : pair.zw;
+  return vec3(unpackHalf2x16(halves.x), unpackHalf2x16(halves.y).x);
+}
+EnvironmentRecord environmentRecord(uint i) {
+  uvec4 a = imageLoad(environmentTexels, int(i * kTexelsPerEnvironmentTexel));
+  uvec4 b = imageLoad(environmentTexels, int(i * kTexelsPerEnvironmentTexel + 1u));
+  EnvironmentRecord r;
+  r.radiance = uintBitsToFloat(a.xyz);
+  r.pdf_w = uintBitsToFloat(a.w);
+  r.threshold = uintBitsToFloat(b.x);
+  r.alias = b.y;
+  return r;
 }
 LightRecord lightRecord(uint i) {
   uvec4 a = imageLoad(lightTexels, int(i * kTexelsPerLight));
@@ -69,6 +108,17 @@ LightRecord lightRecord(uint i) {
 uint lightCount() { return frame.lightCount; }
 uint maxBounces() { return frame.maxBounces; }
 uint rouletteAfter() { return frame.rouletteAfter; }
+float survival() { return frame.survival; }
+uint lightStrategy() { return frame.lightStrategy; }
+uint lightSamples() { return frame.lightSamples; }
+uint splitDepth() { return frame.splitDepth; }
+uint pathKinds() { return frame.pathKinds; }
+uint deadHistories() { return frame.deadHistories; }
+uint environmentWidth() { return frame.environmentWidth; }
+uint environmentHeight() { return frame.environmentHeight; }
+float environmentProbability() { return frame.environmentProbability; }
+vec4 filterShape() { return frame.filterShape; }
+float filterEdge(uint i) { return frame.filterEdges[i >> 2u][i & 3u]; }
 vec3 background() { return frame.background.xyz; }
 vec3 cameraEye() { return frame.eye.xyz; }
 vec3 cameraUpperLeft() { return frame.upperLeft.xyz; }
@@ -82,8 +132,58 @@ layout(set = 0, binding = kBindingCounters, std430) buffer CounterBlock { Counte
 layout(set = 0, binding = kBindingSlots, std430) buffer SlotBlock { uint slotLists[]; };
 layout(set = 0, binding = kBindingFilm, std430) buffer FilmBlock { uint values[]; }
 film[kFilmPlanes];
+layout(set = 0, binding = kBindingKinds, std430) buffer KindBlock { float values[]; }
+kinds[kKindCount];
 
 layout(push_constant) uniform DispatchBlock { Dispatch job; };
+
+// --- what a lane works on, for the library's memory of its own ---
+uint g_slot = 0u;
+uint g_pixel = 0u;
+
+// Plane p of the saved path states.
+uint statePlane(uint p, uint slot) { return p * job.slotCount + slot; }
+
+void storeBranch(uint i, Branch b) {
+  uint plane = kPathPlanes + i * kBranchPlanes;
+  pathPlanes[statePlane(plane, g_slot)] = uvec4(floatBitsToUint(b.o), b.exclude);
+  pathPlanes[statePlane(plane + 1u, g_slot)] = uvec4(floatBitsToUint(b.d), b.branch);
+  pathPlanes[statePlane(plane + 2u, g_slot)] = uvec4(floatBitsToUint(b.beta), b.bounce);
+}
+Branch loadBranch(uint i) {
+  uint plane = kPathPlanes + i * kBranchPlanes;
+  uvec4 o = pathPlanes[statePlane(plane, g_slot)];
+  uvec4 d = pathPlanes[statePlane(plane + 1u, g_slot)];
+  uvec4 beta = pathPlanes[statePlane(plane + 2u, g_slot)];
+  Branch b;
+  b.o = uintBitsToFloat(o.xyz);
+  b.exclude = o.w;
+  b.d = uintBitsToFloat(d.xyz);
+  b.branch = d.w;
+  b.beta = uintBitsToFloat(beta.xyz);
+  b.bounce = beta.w;
+  return b;
+}
+
+// Plane p of a kind's image.
+uint kindPlane(uint p, uint pixel) { return p * frame.width * frame.height + pixel; }
+
+// Adds to the open group's sum; a buffer is chosen by constants, which every device can do.
+#define VKPT_RECORD_KIND(k)                                                                                  \
+  if (kind == k) {                                                                                           \
+    kinds[k].values[kindPlane(kKindOpen, g_pixel)] += L.x;                                                   \
+    kinds[k].values[kindPlane(kKindOpen + 1u, g_pixel)] += L.y;                                              \
+    kinds[k].values[kindPlane(kKindOpen + 2u, g_pixel)] += L.z;                                              \
+  }
+void recordKind(uint kind, vec3 L) {
+  if (!(isFinite(L.x) && isFinite(L.y) && isFinite(L.z))) return; // the sample is a fault, counted where it ends
+  VKPT_RECORD_KIND(kKindEmission)
+  VKPT_RECORD_KIND(kKindDirect)
+  VKPT_RECORD_KIND(kKindCaustic)
+  VKPT_RECORD_KIND(kKindIndirect)
+  VKPT_RECORD_KIND(kKindIndirectCaustic)
+  VKPT_RECORD_KIND(kKindSpecular)
+}
 
 // --- what the library reports, per lane, summed up at the end of the dispatch ---
 uint g_steps = 0u; // traversal steps of the subgroup so far

@@ -33,16 +33,14 @@ vec3 filmColour(uint plane, uint pixel) {
               uintBitsToFloat(film[plane + 2u].values[pixel]));
 }
 
-// Plane p of the saved path states.
-uint statePlane(uint p, uint slot) { return p * job.slotCount + slot; }
-
 void savePath(Work work, Path path) {
+  uint flags = (path.emit ? 1u : 0u) | (path.waiting << 1u) | (path.history << 8u);
   pathPlanes[statePlane(0u, work.slot)] = uvec4(floatBitsToUint(path.ray.o), work.done);
   pathPlanes[statePlane(1u, work.slot)] = uvec4(floatBitsToUint(path.ray.d), path.ray.exclude);
-  pathPlanes[statePlane(2u, work.slot)] = uvec4(floatBitsToUint(path.beta), path.bounce);
-  pathPlanes[statePlane(3u, work.slot)] = uvec4(floatBitsToUint(path.L), path.emit ? 1u : 0u);
-  pathPlanes[statePlane(4u, work.slot)] = uvec4(floatBitsToUint(work.mean), 0u);
-  pathPlanes[statePlane(5u, work.slot)] = uvec4(floatBitsToUint(work.deviations), 0u);
+  pathPlanes[statePlane(2u, work.slot)] = uvec4(floatBitsToUint(path.beta), path.bounce | (path.branch << 14u));
+  pathPlanes[statePlane(3u, work.slot)] = uvec4(floatBitsToUint(path.L), flags);
+  pathPlanes[statePlane(4u, work.slot)] = uvec4(floatBitsToUint(work.mean), floatBitsToUint(path.pdf_w));
+  pathPlanes[statePlane(5u, work.slot)] = uvec4(floatBitsToUint(work.deviations), floatBitsToUint(path.filterWeight));
 }
 
 void loadPath(inout Work work, inout Path path) {
@@ -50,17 +48,24 @@ void loadPath(inout Work work, inout Path path) {
   uvec4 b = pathPlanes[statePlane(1u, work.slot)];
   uvec4 c = pathPlanes[statePlane(2u, work.slot)];
   uvec4 d = pathPlanes[statePlane(3u, work.slot)];
+  uvec4 e = pathPlanes[statePlane(4u, work.slot)];
+  uvec4 f = pathPlanes[statePlane(5u, work.slot)];
   path.ray.o = uintBitsToFloat(a.xyz);
   work.done = a.w;
   path.ray.d = uintBitsToFloat(b.xyz);
   path.ray.exclude = b.w;
   path.beta = MUTATE(CarriedThroughputLost, uintBitsToFloat(c.xyz), vec3(1.0));
-  path.bounce = c.w;
+  path.bounce = c.w & 0x3FFFu;
+  path.branch = c.w >> 14u;
   path.L = uintBitsToFloat(d.xyz);
-  path.emit = MUTATE(CarriedEmitLost, d.w != 0u, true);
+  path.emit = MUTATE(CarriedEmitLost, (d.w & 1u) != 0u, true);
+  path.waiting = MUTATE(CarriedBranchLost, (d.w >> 1u) & 127u, 0u);
+  path.history = MUTATE(CarriedHistoryLost, d.w >> 8u, kHistoryEye);
   path.sampleLow = job.firstSample + work.done;
-  work.mean = uintBitsToFloat(pathPlanes[statePlane(4u, work.slot)].xyz);
-  work.deviations = uintBitsToFloat(pathPlanes[statePlane(5u, work.slot)].xyz);
+  work.mean = uintBitsToFloat(e.xyz);
+  path.pdf_w = MUTATE(CarriedPdfLost, uintBitsToFloat(e.w), 0.0);
+  work.deviations = uintBitsToFloat(f.xyz);
+  path.filterWeight = uintBitsToFloat(f.w);
 }
 
 // Returns whether this lane has work at all.
@@ -71,6 +76,8 @@ bool startWork(out Work work, out Path path) {
   work.slot = fresh || !any ? lane : slotLists[(1u - job.listTurn) * job.slotCount + lane];
   any = pixelOfSlot(work.slot, work.x, work.y) && any;
   work.pixel = work.y * frame.width + work.x;
+  g_slot = work.slot;
+  g_pixel = work.pixel;
   work.done = 0u;
   work.mean = vec3(0.0);
   work.deviations = vec3(0.0);
@@ -105,7 +112,7 @@ void main() {
   if (working) {
     do {
       if (!Li(path)) {
-        finishSample(work, path.L);
+        finishSample(work, sampleValue(path));
         path = nextPath(work);
       }
       g_steps = subgroupMaximum(g_steps + 1u); // lanes that cast no shadow ray pay for those that did

@@ -1,10 +1,16 @@
-// Scattering. Each BSDF is one file that samples a direction; this one holds what they share and the choice.
+// Scattering. Each BSDF is one file; this one holds what they share, scatter.glsl the choice between them.
 
 // All directions point away from the surface. n: shading normal, ng: geometric normal, both on wo's side.
 struct BsdfSample {
   Vec3 wi;
-  Vec3 weight;   // f cos / pdf_w, cancelled analytically
+  Vec3 weight;   // f cos / pdf_w, cancelled analytically where it can be
+  Float pdf_w;   // 0: specular
   bool specular; // a delta distribution: light sampling can't find what it leads to
+};
+
+struct BsdfValue {
+  Vec3 f;
+  Float pdf_w; // with which sampling finds this direction
 };
 
 // Reflection about n; about ng where a shading normal would send it below the surface.
@@ -12,4 +18,13 @@ Vec3 reflectAbove(Vec3 wo, Vec3 n, Vec3 ng) {
   Vec3 wi = n * (2.0 * dot(n, wo)) - wo;
   Vec3 geometric = ng * (2.0 * dot(ng, wo)) - wo;
   return dot(wi, ng) > 0.0 ? wi : geometric;
+}
+
+BsdfSample specularSample(Vec3 wi, Vec3 weight) {
+  BsdfSample s;
+  s.wi = wi;
+  s.weight = weight;
+  s.pdf_w = 0.0;
+  s.specular = true;
+  return s;
 }

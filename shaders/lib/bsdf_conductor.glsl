@@ -16,12 +16,11 @@ Float fresnelConductor(Float cosI, Float eta, Float k) {
   return 0.5 * (rs + rp);
 }
 
+Vec3 conductorReflectance(Material m, Float cosI) {
+  return Vec3(fresnelConductor(cosI, m.eta.x, m.k.x), fresnelConductor(cosI, m.eta.y, m.k.y),
+              fresnelConductor(cosI, m.eta.z, m.k.z));
+}
+
 BsdfSample sampleConductor(Material m, Vec3 wo, Vec3 n, Vec3 ng) {
-  BsdfSample s;
-  Float cosI = min(abs(dot(n, wo)), 1.0);
-  s.wi = reflectAbove(wo, n, ng);
-  s.weight = Vec3(fresnelConductor(cosI, m.eta.x, m.k.x), fresnelConductor(cosI, m.eta.y, m.k.y),
-                  fresnelConductor(cosI, m.eta.z, m.k.z));
-  s.specular = true;
-  return s;
+  return specularSample(reflectAbove(wo, n, ng), conductorReflectance(m, min(abs(dot(n, wo)), 1.0)));
 }

@@ -12,42 +12,46 @@ Float fresnelDielectric(Float cosI, Float eta, OUT(Float) cosT) {
   return eta == 1.0 ? 0.0 : f;
 }
 
-struct DielectricDirection {
-  Vec3 wi;
-  bool reflected;
-  bool total; // reflected totally
+// The two ways from a smooth boundary.
+struct DielectricBranches {
+  Float share; // of light that is reflected
+  Vec3 reflection;
+  Vec3 refraction; // of no meaning where share is 1
+  bool total;      // reflected totally
 };
 
-// A direction by Snell's law about n; `u` in [0, 1) chooses the branch.
-DielectricDirection dielectricDirection(Vec3 wo, Vec3 n, Float eta, Float u) {
+// By Snell's law about n, on wo's side.
+DielectricBranches dielectricAbout(Vec3 wo, Vec3 n, Float eta) {
   Float cosI = min(dot(n, wo), 1.0);
   Float cosT;
-  Float f = fresnelDielectric(cosI, eta, cosT);
-  DielectricDirection d;
-  d.reflected = MUTATE(AlwaysReflects, u < MUTATE(NeverReflects, f, floor(f)), true);
-  d.total = cosT == 0.0;
-  Vec3 reflection = n * (2.0 * cosI) - wo;
-  Vec3 refraction = n * (cosI / eta - cosT) - wo / eta;
-  d.wi = d.reflected ? reflection : refraction;
-  return d;
+  DielectricBranches b;
+  b.share = fresnelDielectric(cosI, eta, cosT);
+  b.share = MUTATE(AlwaysReflects, MUTATE(NeverReflects, b.share, floor(b.share)), 1.0);
+  b.total = cosT == 0.0;
+  b.reflection = n * (2.0 * cosI) - wo;
+  b.refraction = n * (cosI / eta - cosT) - wo / eta;
+  return b;
 }
 
 // front: the ray comes from the side the normal points to, the index `m.ior` lies behind.
-BsdfSample sampleDielectric(Material m, Vec3 wo, Vec3 n, Vec3 ng, bool front, Float u) {
+DielectricBranches dielectricBranches(Material m, Vec3 wo, Vec3 n, Vec3 ng, bool front) {
   bool entering = MUTATE(GlassAlwaysEntered, front, true);
   Float eta = MUTATE(EtaInverted, entering, !entering) ? m.ior : 1.0 / m.ior;
-  BsdfSample s;
-  DielectricDirection d = dielectricDirection(wo, n, eta, u);
-  s.wi = d.wi;
+  DielectricBranches b = dielectricAbout(wo, n, eta);
   if (kEffectSmoothNormals) {
     // The geometric normal decides where the shading normal sends light to the wrong side, and where only the
     // shading normal reflects totally: a smooth sphere lets out what it let in, its facets must not trap it.
-    DielectricDirection g = dielectricDirection(wo, ng, eta, u);
-    bool wrongSide = (dot(d.wi, ng) > 0.0) != d.reflected;
-    if (wrongSide || (d.total && !g.total)) s.wi = g.wi;
+    DielectricBranches g = dielectricAbout(wo, ng, eta);
+    if (b.total && !g.total) b = g;
+    if (dot(b.reflection, ng) <= 0.0) b.reflection = g.reflection;
+    if (!b.total && dot(b.refraction, ng) >= 0.0) {
+      if (g.total) b.refraction = g.reflection;
+      else b.refraction = g.refraction;
+    }
   }
-  s.wi = normalize(s.wi);
-  s.weight = Vec3(1.0);
-  s.specular = true;
-  return s;
+  return b;
+}
+
+BsdfSample sampleDielectric(DielectricBranches b, Float u) {
+  return specularSample(normalize(u < b.share ? b.reflection : b.refraction), Vec3(1.0));
 }

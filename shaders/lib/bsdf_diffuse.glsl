@@ -1,11 +1,18 @@
 // Lambertian reflection: f = albedo / pi; sampled in proportion to the cosine.
 
-Vec3 diffuseF(Material m) { return m.reflectance * MUTATE(InversePiDropped, kInvPi, 1.0); }
+BsdfValue evaluateDiffuse(Material m, Vec3 wi, Vec3 n) {
+  BsdfValue value;
+  value.f = m.reflectance * MUTATE(InversePiDropped, kInvPi, 1.0);
+  value.pdf_w = dot(n, wi) * kInvPi;
+  return value;
+}
 
 BsdfSample sampleDiffuse(Material m, Vec3 n, Vec3 ng, Vec2 u) {
+  Vec3 local = squareToCosineHemisphere(u);
   BsdfSample s;
-  s.wi = normalize(toWorld(makeFrame(n), squareToCosineHemisphere(u)));
+  s.wi = normalize(toWorld(makeFrame(n), local));
   s.weight = dot(s.wi, ng) > 0.0 ? m.reflectance : Vec3(0.0); // an opaque surface: nothing goes through it
+  s.pdf_w = local.z * kInvPi;
   s.specular = false;
   return s;
 }

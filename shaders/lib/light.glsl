@@ -1,32 +1,80 @@
-// Light sampling: a point on an emissive triangle, chosen in proportion to power.
+// Light sampling: a light chosen in proportion to its power, and a direction to it.
 
 struct LightSample {
-  Vec3 p;
-  Vec3 error;    // as positionError()
-  Vec3 ng;       // of the emitting side
-  Vec3 L;        // radiance
-  Float pdf_A;   // 1/m^2: choice of the triangle times 1/area
-  uint triangle; // in BVH order
+  Vec3 wi; // unit, towards the light
+  Vec3 L;  // radiance; of delta lights the irradiance of a surface that faces it
+  Float pdf_w; // over solid angle, choice included; of delta lights the choice alone; 0: the light's back
+  bool delta;
+  bool distant; // infinitely far
+  Vec3 end;        // of the shadow ray, unless distant
+  uint triangle; // in BVH order: what the shadow ray may meet
 };
 
 // One texel of each record holds a row of Walker's alias table (Walker 1977; Vose 1991): the integer part of the
 // choice picks a row, a second number its owner or its alias.
-LightSample sampleLight(UVec4 random) {
+LightRecord chooseLight(UVec4 random) {
   uint index = 0u;
   if (kEffectManyLights) {
     uint row = multiplyHigh(random.x, lightCount());
     index = MUTATE(AliasIgnored, toUnit(random.y) < lightRecord(row).threshold, true) ? row : lightRecord(row).alias;
   }
-  LightRecord light = lightRecord(index);
-  Vec2 b = squareToTriangle(Vec2(toUnit(random.z), toUnit(random.w)));
+  return lightRecord(index);
+}
+
+// Density over solid angle of a point sampled with pdf_A on a surface, at a distance and an angle.
+Float areaToSolidAngle(Float pdf_A, Float r2, Float cosLight) { return pdf_A * r2 / cosLight; }
+
+// A point on an emissive triangle, uniform over its area.
+LightSample sampleTriangle(LightRecord light, Vec3 p, Vec2 u) {
+  Vec2 b = squareToTriangle(u);
   Vec3 n = cross(light.v1 - light.v0, light.v2 - light.v0);
   Float doubleArea = length(n);
+  Vec3 ng = n / doubleArea;
+  Vec3 onLight = light.v0 + (light.v1 - light.v0) * b.x + (light.v2 - light.v0) * b.y;
+  Vec3 toLight = onLight - p;
+  Float r2 = dot(toLight, toLight);
   LightSample s;
-  s.p = light.v0 + (light.v1 - light.v0) * b.x + (light.v2 - light.v0) * b.y;
-  s.error = positionError(light.v0, light.v1, light.v2);
-  s.ng = n / doubleArea;
+  s.wi = toLight / sqrt(r2);
   s.L = light.radiance;
-  s.pdf_A = MUTATE(LightChoiceDropped, light.probability, 1.0) * MUTATE(LightAreaDropped, 2.0 / doubleArea, 1.0);
+  Float cosLight = MUTATE(BackSampled, -dot(ng, s.wi), abs(dot(ng, s.wi)));
+  Float pdf_A = MUTATE(LightChoiceDropped, light.probability, 1.0) * MUTATE(LightAreaDropped, 2.0 / doubleArea, 1.0);
+  s.pdf_w = cosLight > 0.0 ? areaToSolidAngle(pdf_A, MUTATE(DistanceNotSquared, r2, sqrt(r2)),
+                                              MUTATE(LightCosineDropped, cosLight, 1.0))
+                           : 0.0;
+  s.delta = false;
+  s.distant = false;
+  s.end = offsetRayOrigin(onLight, positionError(light.v0, light.v1, light.v2), ng, -toLight);
   s.triangle = light.triangle;
   return s;
+}
+
+// Seen from p. `random` chooses the light and a point on it, `more` a direction to the environment.
+LightSample sampleLight(Vec3 p, UVec4 random, UVec4 more) {
+  LightRecord light = chooseLight(random);
+  LightSample s = sampleTriangle(light, p, Vec2(toUnit(random.z), toUnit(random.w)));
+  if (kEffectDeltaLights && (light.triangle == kLightPoint || light.triangle == kLightDirectional)) {
+    s.distant = light.triangle == kLightDirectional;
+    Vec3 toLight = s.distant ? light.v0 : light.v0 - p;
+    Float r2 = dot(toLight, toLight);
+    s.wi = toLight / sqrt(r2);
+    s.L = s.distant ? light.radiance : light.radiance / MUTATE(PointFalloffDropped, r2, 1.0);
+    s.pdf_w = MUTATE(LightChoiceDropped, light.probability, 1.0);
+    s.delta = true;
+    s.end = light.v0;
+  }
+  if (kEffectEnvironment && light.triangle == kLightEnvironment) {
+    EnvironmentSample e = sampleEnvironment(more);
+    s.wi = e.wi;
+    s.L = e.L;
+    s.pdf_w = e.pdf_w * MUTATE(LightChoiceDropped, light.probability, 1.0);
+    s.distant = true;
+  }
+  return s;
+}
+
+// Weight of a strategy of density pdf_w against another one: the power heuristic (Veach 1997, 9.2.4), as a ratio
+// since squares overflow.
+Float misWeight(Float pdf_w, Float other) {
+  Float ratio = other / pdf_w;
+  return MUTATE(MisWeightDropped, 1.0 / (1.0 + ratio * ratio), 1.0);
 }

@@ -5,81 +5,97 @@ struct Path {
   Vec3 beta;
   Vec3 L;           // what the path has gathered
   uint bounce;      // scattering events so far: the next vertex's index
-  bool emit;        // whether emission at the next vertex counts: nothing has sampled it yet
+  bool emit;        // whether emission at the next vertex counts: light sampling has not counted all of it
+  Float pdf_w;      // with which the BSDF sampled ray.d where light sampling could too; 0: emission counts in full
+  uint history;     // kinds.glsl
+  uint branch;      // which branches of split vertices the path has taken, a bit each
+  uint waiting;     // branches that wait
   uint pixel;       // with sampleLow and key: the counter of the random numbers
   uint sampleLow;
   uint key;
+  Float filterWeight; // of the sample in its pixel
 };
 
-struct Surface {
-  Vec3 p;
-  Vec3 error;
-  Vec3 ng;     // geometric normal on the viewer's side
-  Vec3 n;      // shading normal on the viewer's side
-  bool front;  // seen from the side its normal points to
-  Material m;
-};
-
-Surface surfaceAt(Hit hit, Vec3 wo) {
-  Surface s;
-  TriangleRecord tri = triangleRecord(hit.triangle);
-  Float b0 = 1.0 - hit.b1 - hit.b2;
-  s.p = tri.v0 * b0 + tri.v1 * hit.b1 + tri.v2 * hit.b2;
-  s.error = positionError(tri.v0, tri.v1, tri.v2);
-  s.ng = normalize(cross(tri.v1 - tri.v0, tri.v2 - tri.v0));
-  s.front = dot(s.ng, wo) > 0.0;
-  s.ng = s.front ? s.ng : -s.ng;
-  s.n = s.ng;
-  if (kEffectSmoothNormals) {
-    Vec3 n = triangleNormal(hit.triangle, 0u) * b0 + triangleNormal(hit.triangle, 1u) * hit.b1 +
-             triangleNormal(hit.triangle, 2u) * hit.b2;
-    n = dot(n, s.ng) < 0.0 ? -n : n;
-    // A shading normal that the viewer can't see can't shade: the geometric one stands in.
-    if (dot(n, wo) > 0.0) s.n = normalize(n);
-  }
-  s.m = material(tri.material);
-  return s;
+UVec4 pathRandom(Path path, uint block) {
+  uint key = path.key;
+  if (kEffectSplitting) key = branchKey(key, path.branch);
+  return randomBlock(path.pixel, path.sampleLow, block, key);
 }
 
-BsdfSample sampleBsdf(Surface s, Vec3 wo, UVec4 random) {
-  BsdfSample b;
-  b.wi = s.ng;
-  b.weight = Vec3(0.0);
-  b.specular = false;
-  if (kEffectDiffuse && s.m.bsdf == kBsdfDiffuse) {
-    b = sampleDiffuse(s.m, s.n, s.ng, Vec2(toUnit(random.x), toUnit(random.y)));
-  }
-  if (kEffectMirror && s.m.bsdf == kBsdfMirror) b = sampleMirror(s.m, wo, s.n, s.ng);
-  if (kEffectGlass && s.m.bsdf == kBsdfDielectric) {
-    b = sampleDielectric(s.m, wo, s.n, s.ng, s.front, toUnit(random.z));
-  }
-  if (kEffectMetal && s.m.bsdf == kBsdfConductor) b = sampleConductor(s.m, wo, s.n, s.ng);
-  return b;
+bool weighsStrategies() { return kEffectMis && lightStrategy() == kStrategyMis; }
+// Whether light sampling finds the emitters that a ray can hit: delta lights alone are sampled in any case.
+bool samplesEmitters() { return kEffectLightSampling && lightStrategy() != kStrategyBsdf; }
+
+// Adds light that a path of this history has found.
+void gather(INOUT(Path) path, uint history, Vec3 L) {
+  Vec3 counted = L;
+  if (kEffectPathKinds && !MUTATE(UnwantedKindsCount, kindWanted(history), true)) counted = Vec3(0.0);
+  if (kEffectKindImages) recordKind(kindOf(history), counted * path.filterWeight);
+  path.L += counted;
 }
 
-// Radiance that the emitters send to a diffuse surface and on to the viewer, by one light sample:
-// f cos Le cos' / (r^2 pdf_A).
-Vec3 sampleDirect(Surface s, UVec4 random) {
-  LightSample light = sampleLight(random);
-  Vec3 toLight = light.p - s.p;
-  Vec3 origin = offsetRayOrigin(s.p, s.error, s.ng, toLight);
-  Vec3 end = offsetRayOrigin(light.p, light.error, light.ng, -toLight);
-  Float r2 = dot(toLight, toLight);
-  Vec3 wi = toLight / sqrt(r2);
-  Float cosLight = MUTATE(BackSampled, -dot(light.ng, wi), abs(dot(light.ng, wi)));
-  Float cosSurface = dot(s.n, wi);
-  bool facing = cosLight > 0.0 && cosSurface > 0.0 && dot(s.ng, wi) > 0.0 && s.m.bsdf == kBsdfDiffuse;
-  Vec3 span = end - origin;
+// Radiance that the lights send to a surface and on to the viewer, by one light sample: f cos Le / pdf_w.
+Vec3 sampleDirect(Surface s, Vec3 wo, UVec4 random, UVec4 more, bool wanted) {
+  LightSample light = sampleLight(s.p, random, more);
+  Vec3 origin = offsetRayOrigin(s.p, s.error, s.ng, light.wi);
+  Vec3 span = light.end - origin;
   Float distance = length(span);
   Ray shadow;
   shadow.o = origin;
-  shadow.d = span / distance;
+  shadow.d = light.distant ? light.wi : span / distance;
   shadow.exclude = kNoTriangle;
-  bool visible = facing && MUTATE(OcclusionIgnored,
-                                  !traceOccluded(shadow, facing ? distance : 0.0, light.triangle), true);
-  Float cosines = MUTATE(SurfaceCosineDropped, cosSurface, 1.0) * MUTATE(LightCosineDropped, cosLight, 1.0);
-  Float falloff = MUTATE(DistanceNotSquared, r2, sqrt(r2));
-  return visible ? diffuseF(s.m) * light.L * (cosines / (falloff * light.pdf_A)) : Vec3(0.0);
+  bool facing = wanted && light.pdf_w > 0.0 && isSmooth(s.m.bsdf) && scattersTo(s, light.wi);
+  Float end = light.distant ? kFarAway : distance;
+  bool visible = facing && MUTATE(OcclusionIgnored, !traceOccluded(shadow, facing ? end : 0.0, light.triangle), true);
+  BsdfValue bsdf = evaluateBsdf(s, wo, light.wi);
+  Float weight = MUTATE(SurfaceCosineDropped, abs(dot(s.n, light.wi)), 1.0) / light.pdf_w;
+  if (weighsStrategies() && !light.delta) {
+    weight *= misWeight(light.pdf_w, bsdf.pdf_w / Float(kEffectLightSamples ? lightSamples() : 1u));
+  }
+  return visible ? bsdf.f * light.L * weight : Vec3(0.0);
+}
+
+// Weight of emission that BSDF sampling has found, where light sampling would have found it with density pdf_w.
+Float emissionWeight(Path path, Float lightPdf_w) {
+  Float samples = Float(kEffectLightSamples ? MUTATE(MisSamplesIgnored, lightSamples(), 1u) : 1u);
+  return weighsStrategies() && path.pdf_w > 0.0 && lightPdf_w > 0.0 ? misWeight(path.pdf_w, samples * lightPdf_w) : 1.0;
+}
+
+void saveBranch(INOUT(Path) path, Surface s, Vec3 wi, Vec3 beta, uint triangle, uint history, uint branch) {
+  Branch b;
+  b.o = offsetRayOrigin(s.p, s.error, s.ng, wi);
+  b.exclude = triangle;
+  b.d = wi;
+  b.branch = branch;
+  b.beta = beta;
+  b.bounce = path.bounce | (history << 16u);
+  storeBranch(path.waiting, b);
+  path.waiting += 1u;
+}
+
+void resumeBranch(INOUT(Path) path) {
+  path.waiting -= 1u;
+  Branch b = loadBranch(path.waiting);
+  path.ray.o = b.o;
+  path.ray.d = b.d;
+  path.ray.exclude = b.exclude;
+  path.beta = b.beta;
+  path.bounce = b.bounce & 0xFFFFu;
+  path.history = b.bounce >> 16u;
+  path.branch = b.branch;
+  path.emit = true;
+  path.pdf_w = 0.0;
+}
+
+// Light that a path meets as it leaves the scene.
+void gatherBackground(INOUT(Path) path) {
+  if (kEffectBackground) {
+    gather(path, path.history, path.beta * MUTATE(BackgroundTwice, background(), 2.0 * background()));
+  }
+  if (kEffectEnvironment && path.emit) {
+    EnvironmentRecord e = environmentAt(path.ray.d);
+    gather(path, path.history, path.beta * e.radiance * emissionWeight(path, e.pdf_w * environmentProbability()));
+  }
 }
 
 // Extends the path by one vertex. Returns whether it goes on.
@@ -88,48 +104,92 @@ bool Li(INOUT(Path) path) {
   Vec3 wo = -path.ray.d;
   bool goesOn = hit.triangle != kNoTriangle;
   if (!goesOn) {
-    if (kEffectBackground) path.L += path.beta * MUTATE(BackgroundTwice, background(), 2.0 * background());
+    gatherBackground(path);
   } else {
     Surface s = surfaceAt(hit, wo);
+    if (kEffectAbsorption && !s.front && s.m.bsdf == kBsdfDielectric) {
+      path.beta = path.beta * exp(-s.m.absorption * hit.t); // the way here lay behind the surface
+    }
 
     // EMISSION: L += beta Le, unless the vertex before has sampled the emitters itself.
     if (kEffectAreaLights && path.emit && MUTATE(BackEmits, s.front, true)) {
-      path.L += MUTATE(ThroughputDropped, path.beta, Vec3(1.0)) * s.m.emission;
+      Float weight = emissionWeight(path, areaToSolidAngle(s.m.lightPdf_A, hit.t * hit.t, dot(s.ng, wo)));
+      gather(path, path.history, MUTATE(ThroughputDropped, path.beta, Vec3(1.0)) * s.m.emission * weight);
     }
     uint bounceLimit = MUTATE(BounceLimitOffByOne, maxBounces(), maxBounces() + 1u);
     if (kEffectBounceLimit && path.bounce >= bounceLimit) goesOn = false;
+    if (kEffectOneSided && !MUTATE(BackScatters, scattersHere(s), true)) goesOn = false;
 
-    // DIRECT: next event estimation at diffuse surfaces.
+    // DIRECT: next event estimation at surfaces that are not specular.
     if (kEffectLightSampling && goesOn) {
-      UVec4 lightRandom = randomBlock(path.pixel, path.sampleLow, blockLight(path.bounce), path.key);
-      path.L += MUTATE(DirectThroughputDropped, path.beta, Vec3(1.0)) * sampleDirect(s, lightRandom);
+      uint history = afterDiffuse(path.history);
+      bool wanted = !kEffectPathKinds || kindWanted(history);
+      uint count = kEffectLightSamples ? lightSamples() : 1u;
+      Vec3 direct = Vec3(0.0);
+      uint i = 0u;
+      do {
+        UVec4 random = pathRandom(path, blockLight(path.bounce, i));
+        UVec4 more = random;
+        if (kEffectEnvironment) more = pathRandom(path, blockLightPoint(path.bounce, i));
+        direct += sampleDirect(s, wo, random, more, wanted);
+        i += 1u;
+      } while (kEffectLightSamples && i < count);
+      direct = direct / Float(MUTATE(LightSamplesNotAveraged, count, 1u));
+      gather(path, history, MUTATE(DirectThroughputDropped, path.beta, Vec3(1.0)) * direct);
     }
 
-    // INDIRECT: one direction from the BSDF; the emission it finds counts if no light sample could have found it.
-    UVec4 random = randomBlock(path.pixel, path.sampleLow, blockBsdf(path.bounce), path.key);
+    // INDIRECT: one direction from the BSDF; the emission it finds counts as far as no light sample found it.
+    UVec4 random = pathRandom(path, blockBsdf(path.bounce));
     BsdfSample b = sampleBsdf(s, wo, random);
     Vec3 beta = path.beta * b.weight;
-    path.emit = MUTATE(EmissionTwice, b.specular || !kEffectLightSampling, true);
+    bool specular = b.specular;
+    path.emit = MUTATE(EmissionTwice, specular || !samplesEmitters() || weighsStrategies(), true);
+    path.pdf_w = specular ? 0.0 : b.pdf_w;
+    uint history = specular ? afterSpecular(path.history, dot(b.wi, s.ng) < 0.0) : afterDiffuse(path.history);
+    bool spared = false; // from roulette
+    path.bounce += 1u;
+
+    // SPLITTING: at glass the other branch waits, both weighted by their share of the light.
+    if (kEffectSplitting && goesOn && path.bounce <= splitDepth()) {
+      spared = specular;
+      if (s.m.bsdf == kBsdfDielectric) {
+        DielectricBranches d = dielectricBranches(s.m, wo, s.n, s.ng, s.front);
+        Vec3 refraction = normalize(d.refraction);
+        uint transmitted = afterSpecular(path.history, dot(refraction, s.ng) < 0.0);
+        if (d.share < 1.0) {
+          saveBranch(path, s, refraction, path.beta * (1.0 - d.share), hit.triangle, transmitted, 2u * path.branch + 2u);
+        }
+        b.wi = normalize(d.reflection);
+        beta = path.beta * MUTATE(SplitUnweighted, d.share, 1.0);
+        history = afterSpecular(path.history, false);
+        path.branch = 2u * path.branch + 1u;
+      }
+    }
     path.ray.o = offsetRayOrigin(s.p, s.error, s.ng, b.wi);
     path.ray.d = b.wi;
     path.ray.exclude = hit.triangle;
-    path.bounce += 1u;
+    path.history = history;
 
     // ROULETTE: survivors stand for those that ended. The probability has no cap below 1, which would give
     // closed bright scenes an infinite variance.
     Float survivalProbability = 1.0;
-    if (kEffectRoulette && path.bounce >= rouletteAfter()) {
-      survivalProbability =
-          min(1.0, kRouletteMode == kRouletteAlbedo ? meanComponent(b.weight) : maxComponent(beta));
+    if (kEffectRoulette && path.bounce >= rouletteAfter() && !spared) {
+      survivalProbability = min(1.0, kRouletteMode == kRouletteAlbedo ? meanComponent(b.weight) : maxComponent(beta));
+      if (kRouletteMode == kRouletteConstant) survivalProbability = survival();
     }
     bool survives = toUnit(random.w) < MUTATE(RouletteCapped, survivalProbability, min(survivalProbability, 0.5));
     goesOn = goesOn && maxComponent(beta) > 0.0 && survives;
     path.beta = beta / MUTATE(SurvivalNotDivided, survivalProbability, 1.0);
-    if (kEffectBounceLimit && path.bounce >= bounceLimit && !path.emit) goesOn = false;
+    if (kEffectBounceLimit && path.bounce >= bounceLimit && !(path.emit || kEffectBackground)) goesOn = false;
+    if (kEffectPathKinds && historyDead(path.history)) goesOn = false;
     if (goesOn && path.bounce >= kBounceCap) {
       reportCappedPath();
       goesOn = false;
     }
+  }
+  if (kEffectSplitting && !goesOn && path.waiting > 0u) {
+    resumeBranch(path);
+    goesOn = true;
   }
   return goesOn;
 }

@@ -1,5 +1,5 @@
 // What the accessors return. Each program reads its own memory: texel buffers on the device (device_memory.glsl),
-// arrays on the host (src/host/program.h).
+// arrays on the host (src/host/program.inl).
 
 struct TriangleRecord {
   Vec3 v0;
@@ -11,21 +11,51 @@ struct TriangleRecord {
 
 // A light, and the row of the alias table with the same index.
 struct LightRecord {
-  Vec3 v0;
+  Vec3 v0; // point: its position; directional: the unit direction to it
   Vec3 v1;
   Vec3 v2;
-  Vec3 radiance;
+  Vec3 radiance;     // point: W/sr; directional: W/m^2
   Float probability; // with which the light is chosen
-  uint triangle;     // in BVH order
+  uint triangle;     // in BVH order; kLightPoint, kLightDirectional or kLightEnvironment
   Float threshold;   // the row keeps itself when the second number is below
+  uint alias;
+};
+
+struct EnvironmentRecord {
+  Vec3 radiance;
+  Float pdf_w;     // of light sampling, given that it chooses the environment
+  Float threshold; // of the alias table's row, as in LightRecord
   uint alias;
 };
 
 struct Material {
   uint bsdf;
-  Vec3 reflectance; // diffuse: albedo; mirror: reflectance
+  uint flags;       // kMaterialOneSided, ...
+  Vec3 reflectance; // diffuse: albedo; mirror: reflectance; phong, microfacet: kd
+  uint texture;     // multiplies reflectance; kNoTexture: none
   Vec3 emission;    // radiance of the front side
+  Float lightPdf_A; // of light sampling on emissive triangles with this material: 1/m^2, choice included
+  Vec3 specular;    // phong, microfacet: ks
+  Float roughness;  // phong: exponent; rough materials: alpha
   Float ior;        // dielectric: index behind the surface over the index in front of it
   Vec3 eta;         // conductor: complex index of refraction
   Vec3 k;
+  Vec3 absorption;  // dielectric: 1/m, behind the surface
+};
+CONSTANT uint kNoTexture = 0xFFFFFFFFu;
+
+struct TextureRecord {
+  uint first; // pixel
+  uint width;
+  uint height;
+};
+
+// A branch of a path that waits until the other one has ended: specular, so its emission counts in full.
+struct Branch {
+  Vec3 o;
+  uint exclude;
+  Vec3 d;
+  uint branch;
+  Vec3 beta;
+  uint bounce; // history in the high half
 };

@@ -1,4 +1,4 @@
-// Counter-based random numbers: a block of four is a hash of (pixel, sample, block, seed), so that no order of
+// Counter-based random numbers: a block of four is a hash of (pixel, sample, block, key), so that no order of
 // work, batch, tile or effect changes them.
 
 // pcg4d: Jarzynski and Olano 2020, "Hash Functions for GPU Rendering", JCGT 9(3).
@@ -22,11 +22,17 @@ UVec4 pcg4d(UVec4 v) {
 // 24 bits: in [0, 1), never 1.
 Float toUnit(uint bits) { return Float(bits >> 8u) * 5.9604644775390625e-8; }
 
-// Blocks of random numbers a path uses: 0 the camera; 1 + 2 * bounce lights, 2 + 2 * bounce BSDF and roulette.
-CONSTANT uint kBlockCamera = 0u;
-uint blockLight(uint bounce) { return MUTATE(LightBlockReused, 1u, 2u) + 2u * bounce; }
-uint blockBsdf(uint bounce) { return MUTATE(NextLightBlockReused, 2u, 3u) + 2u * bounce; }
+// Blocks of random numbers a path uses, by bounce: the BSDF and roulette; two for each light sample. The camera's
+// stands alone. Branches of a split path differ in their key.
+CONSTANT uint kBlockCamera = 0x80000000u;
+CONSTANT uint kBlockStride = 0x10000u; // above any bounce
+uint blockBsdf(uint bounce) { return MUTATE(NextLightBlockReused, bounce, bounce + 1u + kBlockStride); }
+uint blockLight(uint bounce, uint i) {
+  return bounce + MUTATE(LightBlockReused, 1u + 2u * i, 2u * i) * kBlockStride;
+}
+uint blockLightPoint(uint bounce, uint i) { return bounce + (2u + 2u * i) * kBlockStride; }
 
 UVec4 randomBlock(uint pixel, uint sampleLow, uint block, uint key) {
   return pcg4d(UVec4(pixel, MUTATE(SampleIgnored, sampleLow, 0u), block, key));
 }
+uint branchKey(uint key, uint branch) { return key ^ (MUTATE(BranchKeyShared, branch, 0u) * 0x85EBCA6Bu); }

@@ -144,6 +144,9 @@ Hit traceClosest(Ray ray) {
   return hit;
 }
 
+// Steps that one shadow ray may take: several at a vertex share them.
+uint shadowSteps() { return kEffectLightSamples ? kMaxTraversalSteps / lightSamples() : kMaxTraversalSteps; }
+
 // Whether anything but `target` lies on the ray before tMax.
 bool traceOccluded(Ray ray, Float tMax, uint target) {
   bool occluded = false;
@@ -175,7 +178,7 @@ bool traceOccluded(Ray ray, Float tMax, uint target) {
     if (current == kTraversalPop) current = popChild(stack);
     if (occluded) current = kTraversalDone;
     steps += 1u;
-  } while (current != kTraversalDone && steps < kMaxTraversalSteps);
+  } while (current != kTraversalDone && steps < shadowSteps());
   reportTraversal(steps, current != kTraversalDone);
   reportShadowRay(tMax > 0.0);
   return occluded;

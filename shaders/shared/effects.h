@@ -4,12 +4,27 @@
 #define VKPT_EFFECTS(X)                                                                                      \
   X(0, Diffuse, diffuse, "a triangle whose material scatters diffusely")                                     \
   X(1, Mirror, mirror, "a triangle with a mirror material")                                                  \
-  X(2, Glass, glass, "a triangle with a dielectric material whose indices differ")                           \
-  X(3, Metal, metal, "a triangle with a conductor material")                                                 \
+  X(2, Glass, glass, "a triangle with a smooth dielectric material")                                         \
+  X(3, Metal, metal, "a triangle with a smooth conductor material")                                          \
   X(4, SmoothNormals, smoothNormals, "a triangle with shading normals of its own")                           \
   X(5, AreaLights, areaLights, "a triangle of positive area whose material emits")                           \
-  X(6, ManyLights, manyLights, "more than one emissive triangle: a table to choose from")                    \
-  X(7, LightSampling, lightSampling, "area lights, and --light nee")                                         \
-  X(8, Background, background, "a background radiance above zero")                                           \
+  X(6, ManyLights, manyLights, "more than one light to sample: a table to choose from")                      \
+  X(7, LightSampling, lightSampling, "lights to sample, by --light nee or mis or as they can't be hit")      \
+  X(8, Background, background, "a constant background radiance above zero")                                  \
   X(9, BounceLimit, bounceLimit, "--max-bounces below infinity")                                             \
-  X(10, Roulette, roulette, "a surface after which a path can go on without limit")
+  X(10, Roulette, roulette, "a surface after which a path can go on without limit")                          \
+  X(11, Mis, mis, "lights that light sampling and BSDF sampling both find, and --light mis")                 \
+  X(12, Phong, phong, "a triangle with a Phong material whose ks is above zero")                             \
+  X(13, Microfacet, microfacet, "a triangle with Nori's microfacet material")                                \
+  X(14, RoughMetal, roughMetal, "a triangle with a rough conductor material")                                \
+  X(15, RoughGlass, roughGlass, "a triangle with a rough dielectric material")                               \
+  X(16, Textures, textures, "a triangle whose material has a texture")                                       \
+  X(17, Absorption, absorption, "a triangle with a dielectric material that absorbs")                        \
+  X(18, DeltaLights, deltaLights, "a point or directional light")                                            \
+  X(19, Environment, environment, "an environment map that is not black")                                    \
+  X(20, OneSided, oneSided, "a triangle whose material scatters on one side only")                           \
+  X(21, LightSamples, lightSamples, "--light-samples above 1")                                               \
+  X(22, Splitting, splitting, "a smooth dielectric, mirror or conductor, and --split above 0")               \
+  X(23, PathKinds, pathKinds, "--paths with fewer than all kinds, or --output-paths")                        \
+  X(24, KindImages, kindImages, "--output-paths")                                                            \
+  X(25, PixelFilter, pixelFilter, "a reconstruction filter other than a box of one pixel")

@@ -44,7 +44,24 @@
   X(37, DeviationsFromOldMean, "the film's deviations use the old mean twice")                               \
   X(38, MergeMeanUnweighted, "groups of samples merge as if equally large")                                  \
   X(39, MergeBetweenDropped, "merged deviations lack the spread between the groups")                         \
-  X(40, MergeLowDropped, "the film's pairs of floats lose their low half")
+  X(40, MergeLowDropped, "the film's pairs of floats lose their low half")                                   \
+  X(41, MisWeightDropped, "light sampling and BSDF sampling both count in full")                             \
+  X(42, MisSamplesIgnored, "BSDF sampling is weighted as if there were one light sample")                    \
+  X(43, LightSamplesNotAveraged, "several light samples add up")                                             \
+  X(44, PhongNormalisation, "the density of Phong's lobe is normalised as its value is")                     \
+  X(45, BackScatters, "one-sided surfaces scatter on their back too")                                        \
+  X(46, PointFalloffDropped, "point lights don't fall off")                                                  \
+  X(47, EnvironmentAliasIgnored, "a row of the environment's table never takes its alias")                   \
+  X(48, EnvironmentSineDropped, "directions within a texel uniform in the angle, not the solid angle")       \
+  X(49, TextureFlipped, "textures upside down")                                                              \
+  X(50, FilterSignDropped, "samples in a filter's negative lobes count as positive")                         \
+  X(51, SplitUnweighted, "the reflected branch of a split vertex counts in full")                            \
+  X(52, BranchKeyShared, "branches of a split path share their random numbers")                              \
+  X(53, UnwantedKindsCount, "kinds of light path that were left out count")                                  \
+  X(54, TransmissionIsReflection, "specular transmission is taken for reflection")                           \
+  X(55, CarriedBranchLost, "a path that goes on in the next dispatch forgets its waiting branches")          \
+  X(56, CarriedPdfLost, "a path that goes on in the next dispatch forgets the density of its direction")     \
+  X(57, CarriedHistoryLost, "a path that goes on in the next dispatch forgets its kind")
 
 #ifdef VKPT_MUTATIONS
 layout(constant_id = 127) const uint kMutation = 0u;

@@ -20,32 +20,76 @@ VKPT_CONSTANT uint kBindingFrame = 0u;     // uniform FrameConstants
 VKPT_CONSTANT uint kBindingNodes = 1u;     // texel buffer: 8 texels a node
 VKPT_CONSTANT uint kBindingTriangles = 2u; // texel buffer: 3 texels a triangle, in BVH order
 VKPT_CONSTANT uint kBindingNormals = 3u;   // texel buffer: 3 texels a triangle, in BVH order
-VKPT_CONSTANT uint kBindingMaterials = 4u; // texel buffer: 4 texels a material
+VKPT_CONSTANT uint kBindingMaterials = 4u; // texel buffer: 6 texels a material
 VKPT_CONSTANT uint kBindingLights = 5u;    // texel buffer: 4 texels a light
 VKPT_CONSTANT uint kBindingPaths = 6u;     // storage: saved path states, plane by plane
 VKPT_CONSTANT uint kBindingCounters = 7u;  // storage: Counters
 VKPT_CONSTANT uint kBindingFilm = 8u;      // storage[kFilmPlanes]: the film, one buffer a plane
 VKPT_CONSTANT uint kBindingSlots = 9u;     // storage: slots with samples still to do, two lists in turn
-VKPT_CONSTANT uint kBindingCount = 10u;
+VKPT_CONSTANT uint kBindingUvs = 10u;       // texel buffer: 2 texels a triangle, in BVH order
+VKPT_CONSTANT uint kBindingTextures = 11u; // texel buffer: a texel for each texture, then their pixels
+VKPT_CONSTANT uint kBindingEnvironment = 12u; // texel buffer: 2 texels for each of the map's
+VKPT_CONSTANT uint kBindingKinds = 13u;       // storage[kKindCount]: an image of each kind of light path
+VKPT_CONSTANT uint kBindingCount = 14u;
 
 // --- texels a record takes ---
 VKPT_CONSTANT uint kTexelsPerNode = 8u;
 VKPT_CONSTANT uint kTexelsPerTriangle = 3u;
-VKPT_CONSTANT uint kTexelsPerMaterial = 4u;
+VKPT_CONSTANT uint kTexelsPerMaterial = 6u;
 VKPT_CONSTANT uint kTexelsPerLight = 4u;
+VKPT_CONSTANT uint kTexelsPerUv = 2u;
+VKPT_CONSTANT uint kTexelsPerEnvironmentTexel = 2u;
+VKPT_CONSTANT uint kPixelsPerTexel = 2u; // of a texture: RGB in half floats
 
 // --- specialisation constants beside the effects (ids 0..63) ---
 VKPT_CONSTANT uint kConstantStackDepth = 64u;
 VKPT_CONSTANT uint kConstantRouletteMode = 65u;
 
+VKPT_CONSTANT uint kConstantFilterShape = 66u;
+
 VKPT_CONSTANT uint kRouletteAlbedo = 0u;
 VKPT_CONSTANT uint kRouletteThroughput = 1u;
+VKPT_CONSTANT uint kRouletteConstant = 2u;
 
 // --- materials: the values of vkpt::BsdfType ---
 VKPT_CONSTANT uint kBsdfDiffuse = 0u;
 VKPT_CONSTANT uint kBsdfMirror = 1u;
 VKPT_CONSTANT uint kBsdfDielectric = 2u;
 VKPT_CONSTANT uint kBsdfConductor = 3u;
+VKPT_CONSTANT uint kBsdfPhong = 4u;
+VKPT_CONSTANT uint kBsdfMicrofacet = 5u;
+VKPT_CONSTANT uint kBsdfRoughConductor = 6u;
+VKPT_CONSTANT uint kBsdfRoughDielectric = 7u;
+
+// Flags of a material.
+VKPT_CONSTANT uint kMaterialOneSided = 1u;
+VKPT_CONSTANT uint kMaterialBeckmann = 2u; // else GGX
+
+// --- lights: in place of a triangle's number ---
+VKPT_CONSTANT uint kLightPoint = 0xFFFFFFFEu;
+VKPT_CONSTANT uint kLightDirectional = 0xFFFFFFFDu;
+VKPT_CONSTANT uint kLightEnvironment = 0xFFFFFFFCu; // from here on no triangle
+
+// --- how emitters are found: the values of vkpt::LightStrategy ---
+VKPT_CONSTANT uint kStrategyNee = 0u;
+VKPT_CONSTANT uint kStrategyBsdf = 1u;
+VKPT_CONSTANT uint kStrategyMis = 2u;
+
+// --- kinds of light path: the values of vkpt::PathKind ---
+VKPT_CONSTANT uint kKindEmission = 0u;
+VKPT_CONSTANT uint kKindDirect = 1u;
+VKPT_CONSTANT uint kKindCaustic = 2u;
+VKPT_CONSTANT uint kKindIndirect = 3u;
+VKPT_CONSTANT uint kKindIndirectCaustic = 4u;
+VKPT_CONSTANT uint kKindSpecular = 5u;
+VKPT_CONSTANT uint kKindCount = 6u;
+
+// --- reconstruction filters: the values of vkpt::PixelFilter::Shape ---
+VKPT_CONSTANT uint kFilterBox = 0u;
+VKPT_CONSTANT uint kFilterTent = 1u;
+VKPT_CONSTANT uint kFilterGaussian = 2u;
+VKPT_CONSTANT uint kFilterMitchell = 3u;
+VKPT_CONSTANT uint kFilterBins = 64u; // of equal probability
 
 // --- the unit of work ---
 VKPT_CONSTANT uint kBlockEdge = 8u; // pixels are worked on in blocks of 8x8, one work-group each
@@ -64,7 +108,9 @@ VKPT_CONSTANT uint kMaxStackDepth = 48u; // levels of the tree, and one
 VKPT_CONSTANT uint kNodesPerStep = 4u;
 VKPT_CONSTANT uint kLeafTriangles = 4u; // vkpt::kMaxLeafTriangles
 VKPT_CONSTANT uint kStepBudget = 2200u;
-VKPT_CONSTANT uint kMaxTraversalSteps = 2500u;
+VKPT_CONSTANT uint kMaxTraversalSteps = 2500u; // with several light samples their shadow rays share them
+VKPT_CONSTANT uint kMaxLightSamples = 16u;
+VKPT_CONSTANT uint kMaxSplitDepth = 16u; // a path's branches are told apart by 16 bits
 
 // --- the film: planes of one 32-bit value a pixel ---
 VKPT_CONSTANT uint kFilmCount = 0u;      // uint: samples, those of the open group included
@@ -74,7 +120,13 @@ VKPT_CONSTANT uint kFilmOpenMean = 13u;  // float x RGB: the open group, fewer t
 VKPT_CONSTANT uint kFilmOpenDeviations = 16u;
 VKPT_CONSTANT uint kFilmPlanes = 19u; // 76 bytes a pixel
 
-VKPT_CONSTANT uint kPathPlanes = 6u; // uvec4 planes of a saved path state: 96 bytes a slot
+// Images of the kinds of light path, one buffer each, of planes of one float a pixel.
+VKPT_CONSTANT uint kKindOpen = 0u;   // RGB: sum over the open group
+VKPT_CONSTANT uint kKindClosed = 3u; // float pairs (high, low) x RGB: sum over the closed groups
+VKPT_CONSTANT uint kKindPlanes = 9u; // 36 bytes a pixel
+
+VKPT_CONSTANT uint kPathPlanes = 6u;   // uvec4 planes of a saved path state: 96 bytes a slot
+VKPT_CONSTANT uint kBranchPlanes = 3u; // and of each branch that waits: 48 bytes
 
 // --- what one dispatch reports ---
 struct Counters {
@@ -104,6 +156,20 @@ struct FrameConstants {
   uint rouletteAfter;
   uint blocksX; // blocks in a row of the image
   uint blocksPerStripe;
+  uint lightSamples;
+  uint splitDepth;
+  uint pathKinds;     // bit k: paths of kind k are wanted
+  uint deadHistories; // bit h: no path of history h (lib/kinds.glsl) can become one that is wanted
+  float survival;     // of --roulette constant
+  float environmentProbability; // with which light sampling chooses the environment
+  uint environmentWidth;
+  uint environmentHeight;
+  uint lightStrategy;
+  uint unused0;
+  uint unused1;
+  uint unused2;
+  vec4 filterShape;                         // radius, and what the shape needs: lib/filter.glsl
+  vec4 filterEdges[kFilterBins / 4u + 1u]; // edges of the bins, in pixels from the centre
 };
 
 // --- what a dispatch works on: push constants ---

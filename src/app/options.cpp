@@ -5,6 +5,7 @@
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -26,13 +27,18 @@ constexpr const char* kExamples =
     "  vkpt cornell-spheres --time 10 -o spheres.exr       ten seconds of caustics, linear, with standard "
     "errors\n"
     "  vkpt CornellBox.obj CornellBlocks.obj --size 256x256 --light bsdf\n"
+    "  vkpt cbox.xml --roulette constant=0.4 --time 60 -o cbox.exr\n"
+    "  vkpt cornell-spheres --paths caustic --split 2\n"
     "  vkpt room.obj --look-at 0,1,4,0,1,0 --fov 60 --background 0.5,0.7,1\n"
     "Exit codes: 0 done, 1 usage, 2 scene, 3 device, 5 faults were counted, 75 interrupted (what was done is "
     "written)";
 
 // In the order of the enumerators.
-constexpr std::array<std::string_view, 2> kLightNames{"nee", "bsdf"};
-constexpr std::array<std::string_view, 2> kRouletteNames{"albedo", "throughput"};
+constexpr std::array<std::string_view, 3> kLightNames{"nee", "bsdf", "mis"};
+constexpr std::array<std::string_view, 3> kRouletteNames{"albedo", "throughput", "constant"};
+constexpr std::array<std::string_view, kPathKindCount> kKindNames{"emission", "direct",           "caustic",
+                                                                  "indirect", "indirect-caustic", "specular"};
+constexpr std::array<std::string_view, 4> kFilterNames{"box", "tent", "gaussian", "mitchell"};
 constexpr std::array<std::string_view, 3> kTonemapNames{"none", "srgb", "aces"};
 
 template<std::size_t N, class Enum>
@@ -91,35 +97,95 @@ void addStopOptions(CLI::App& app, RenderOptions& o) {
       "8x8 blocks per dispatch, 0: by measured time (default 0); never changes the image");
 }
 
-void addEstimatorOptions(CLI::App& app, RenderOptions& o) {
+/// albedo, throughput or constant=Q.
+void parseRoulette(const std::string& text, EstimatorSettings& e) {
+  constexpr std::string_view kConstant = "constant=";
+  if (text.starts_with(kConstant)) {
+    constexpr const char* kRight = "constant=Q with a probability Q above 0, at most 1";
+    const double q = parseFinite("--roulette", std::string_view(text).substr(kConstant.size()), kRight);
+    if (!(q > 0.0 && q <= 1.0))
+      refuseValue("--roulette", text, kRight);
+    e.roulette = RouletteMode::Constant;
+    e.termination = q;
+    return;
+  }
+  const auto found = std::ranges::find(kRouletteNames, text);
+  if (found == kRouletteNames.end() || text == "constant")
+    refuseValue("--roulette", text, "albedo, throughput or constant=Q");
+  e.roulette = static_cast<RouletteMode>(found - kRouletteNames.begin());
+}
+
+std::uint32_t parsePathKinds(const std::string& text) {
+  std::uint32_t kinds = 0;
+  std::string_view rest = text;
+  for (bool more = true; more;) {
+    const std::size_t comma = rest.find(',');
+    kinds |= 1U << parseName("--paths", rest.substr(0, comma), kKindNames);
+    more = comma != std::string_view::npos;
+    if (more)
+      rest.remove_prefix(comma + 1);
+  }
+  return kinds;
+}
+
+void addLightOptions(CLI::App& app, RenderOptions& o) {
   EstimatorSettings& e = o.estimator;
   addValue(
-      app, "--light", "nee|bsdf",
-      [&e](const auto& text) {
-        e.light = static_cast<LightStrategy>(parseName("--light", text, kLightNames));
+      app, "--light", "nee|bsdf|mis",
+      [&o](const auto& text) {
+        o.light = static_cast<LightStrategy>(parseName("--light", text, kLightNames));
       },
-      "how emitters are found: light sampling or BSDF sampling (default nee)");
+      "how emitters are found: light sampling, BSDF sampling or both weighted (default mis)");
+  addValue(
+      app, "--light-samples", "N",
+      [&e](const auto& text) {
+        e.lightSamples =
+            static_cast<std::uint32_t>(parseWhole("--light-samples", text, 1, shared::kMaxLightSamples));
+      },
+      "shadow rays at a surface point, 1 to 16 (default 1)");
+  addValue(
+      app, "--paths", "LIST", [&o](const auto& text) { o.pathKinds = parsePathKinds(text); },
+      "only these kinds of light path, e.g. caustic,indirect (default all); biases the image");
+  addValue(
+      app, "--output-paths", "PREFIX",
+      [&o](const auto& text) {
+        if (text.empty())
+          refuseValue("--output-paths", text, "the start of file names, e.g. box");
+        o.kindPrefix = text;
+        o.estimator.kindImages = true;
+      },
+      "an image of each kind of light path beside the whole: PREFIX-caustic.png, ...");
+}
+
+void addEstimatorOptions(CLI::App& app, RenderOptions& o) {
+  EstimatorSettings& e = o.estimator;
+  addLightOptions(app, o);
   addValue(
       app, "--max-bounces", "N|inf",
-      [&e](const auto& text) {
-        e.maxBounces =
+      [&o](const auto& text) {
+        o.maxBounces =
             text == "inf"
                 ? kUnlimitedBounces
                 : static_cast<std::uint32_t>(parseWhole("--max-bounces", text, 0, kUnlimitedBounces - 1));
       },
       "0: emitted light only, 1: + direct light, ... (default inf); biases the image");
   addValue(
-      app, "--roulette", "albedo|throughput",
-      [&e](const auto& text) {
-        e.roulette = static_cast<RouletteMode>(parseName("--roulette", text, kRouletteNames));
-      },
-      "survive with the surface's albedo or the path's throughput (default throughput)");
+      app, "--roulette", "albedo|throughput|constant=Q", [&e](const auto& text) { parseRoulette(text, e); },
+      "survive with the surface's albedo or the path's throughput, or end with probability Q (default "
+      "throughput)");
   addValue(
       app, "--roulette-after", "N",
       [&e](const auto& text) {
         e.rouletteAfter = static_cast<std::uint32_t>(parseWhole("--roulette-after", text, 0, kLargest32));
       },
-      "first bounce after whose direct light roulette may end a path (default: albedo 1, throughput 3)");
+      "first bounce after whose direct light roulette may end a path (default: albedo 1, throughput 3, "
+      "constant 2)");
+  addValue(
+      app, "--split", "N",
+      [&e](const auto& text) {
+        e.splitDepth = static_cast<std::uint32_t>(parseWhole("--split", text, 0, shared::kMaxSplitDepth));
+      },
+      "at glass follow both branches up to this trace depth, 0 to 16 (default 0)");
   addValue(
       app, "--seed", "N",
       [&o](const auto& text) {
@@ -159,6 +225,12 @@ void addImageOptions(CLI::App& app, RenderOptions& o) {
         o.display.tonemap = static_cast<Tonemap>(parseName("--tonemap", text, kTonemapNames));
       },
       "for .png only (default srgb)");
+  addValue(
+      app, "--filter", "box|tent|gaussian|mitchell",
+      [&o](const auto& text) {
+        o.filter = static_cast<PixelFilter::Shape>(parseName("--filter", text, kFilterNames));
+      },
+      "reconstruction filter (default: the scene's, else box)");
 }
 
 void addCameraOptions(CLI::App& app, RenderOptions& o) {
@@ -263,7 +335,8 @@ CommandLine parseCommandLine(const std::vector<std::string>& arguments) {
   CLI::App app(kUsage, "vkpt");
   app.footer(kExamples);
   app.set_version_flag("--version", std::string("vkpt ") + VKPT_VERSION);
-  app.add_option("SCENE", o.scenes, ".obj files, together one scene; or a built-in scene's name")
+  app.add_option("SCENE", o.scenes,
+                 ".obj files, together one scene; a Nori .xml file; or a built-in scene's name")
       ->type_name("");
   addStopOptions(app, o);
   addImageOptions(app, o);
@@ -286,8 +359,68 @@ CommandLine parseCommandLine(const std::vector<std::string>& arguments) {
   return line;
 }
 
-std::vector<std::string> describeOptions(const RenderOptions& o, const RenderJob& job, const Scene& scene) {
-  const EstimatorSettings& e = o.estimator;
+namespace {
+
+std::string kindList(std::uint32_t kinds) {
+  std::vector<std::string_view> names;
+  for (std::uint32_t i = 0; i < kPathKindCount; ++i) {
+    if (((kinds >> i) & 1U) != 0U)
+      names.push_back(kKindNames[i]);
+  }
+  return fmt::format("{}", fmt::join(names, ","));
+}
+
+std::string rouletteText(const EstimatorSettings& e) {
+  if (e.roulette == RouletteMode::Constant)
+    return fmt::format("constant={:g}", e.termination);
+  return std::string(nameOf(kRouletteNames, e.roulette));
+}
+
+} // namespace
+
+std::string_view pathKindName(PathKind kind) { return nameOf(kKindNames, kind); }
+
+PixelFilter namedFilter(PixelFilter::Shape shape) {
+  PixelFilter filter;
+  filter.shape = shape;
+  switch (shape) {
+  case PixelFilter::Shape::Box:
+    filter.radius = 0.5;
+    break;
+  case PixelFilter::Shape::Tent:
+    filter.radius = 1.0;
+    break;
+  case PixelFilter::Shape::Gaussian:
+  case PixelFilter::Shape::Mitchell:
+    filter.radius = 2.0;
+    break;
+  }
+  return filter;
+}
+
+EstimatorSettings estimatorFor(const RenderOptions& o, const Scene& scene) {
+  EstimatorSettings e = o.estimator;
+  e.light = o.light.value_or(scene.defaults.light.value_or(e.light));
+  e.maxBounces = o.maxBounces.value_or(scene.defaults.maxBounces.value_or(e.maxBounces));
+  e.pathKinds = o.pathKinds.value_or(scene.defaults.pathKinds.value_or(e.pathKinds));
+  if (e.roulette == RouletteMode::Constant && e.termination >= 1.0)
+    e.maxBounces = std::min(e.maxBounces, e.effectiveRouletteAfter());
+  return e;
+}
+
+std::vector<std::string> biasOf(const RenderOptions& o, const EstimatorSettings& e) {
+  std::vector<std::string> bias;
+  if (o.estimator.roulette == RouletteMode::Constant && o.estimator.termination >= 1.0)
+    bias.push_back(fmt::format("--roulette constant=1 (--max-bounces {})", e.maxBounces));
+  else if (e.maxBounces != kUnlimitedBounces)
+    bias.push_back(fmt::format("--max-bounces {}", e.maxBounces));
+  if (e.pathKinds != kAllPathKinds)
+    bias.push_back("--paths " + kindList(e.pathKinds));
+  return bias;
+}
+
+std::vector<std::string> describeOptions(const RenderOptions& o, const RenderJob& job, const Scene& scene,
+                                         const EstimatorSettings& e) {
   const auto vector = [](const auto& v) { return fmt::format("{:g},{:g},{:g}", v.x, v.y, v.z); };
   std::vector<std::string> lines;
   const auto say = [&]<class... Values>(fmt::format_string<Values...> text, Values&&... values) {
@@ -308,7 +441,11 @@ std::vector<std::string> describeOptions(const RenderOptions& o, const RenderJob
       vector(scene.camera.up), horizontalFov(scene));
   say("--light {} --max-bounces {}", nameOf(kLightNames, e.light),
       e.maxBounces == kUnlimitedBounces ? "inf" : std::to_string(e.maxBounces));
-  say("--roulette {} --roulette-after {}", nameOf(kRouletteNames, e.roulette), e.effectiveRouletteAfter());
+  say("--light-samples {} --split {} --paths {}", e.lightSamples, e.splitDepth, kindList(e.pathKinds));
+  if (!o.kindPrefix.empty())
+    say("--output-paths {}", o.kindPrefix.string());
+  say("--roulette {} --roulette-after {}", rouletteText(e), e.effectiveRouletteAfter());
+  say("--filter {}", nameOf(kFilterNames, scene.filter.shape));
   say("--seed {} --background {}", o.seed, vector(scene.background));
   if (!o.device.empty())
     say("--device {}", o.device);

@@ -8,6 +8,38 @@
 #include <set>
 
 namespace vkpt {
+namespace {
+
+/// One name for each kind and each format that is written.
+std::vector<fs::path> kindPaths(const RenderOptions& o, std::uint32_t kind) {
+  std::vector<fs::path> paths;
+  std::set<std::string> extensions;
+  for (const auto& path : o.outputs) {
+    if (!o.kindPrefix.empty() && extensions.insert(path.extension().string()).second)
+      paths.emplace_back(fmt::format("{}-{}{}", o.kindPrefix.string(),
+                                     pathKindName(static_cast<PathKind>(kind)), path.extension().string()));
+  }
+  return paths;
+}
+
+void fillChannels(Image& image, std::size_t first, const std::vector<Vec3d>& values) {
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    for (std::size_t c = 0; c < 3; ++c)
+      image.channels[first + c].values[i] = static_cast<float>(values[i][static_cast<int>(c)]);
+  }
+}
+
+/// The kinds as layers beside R, G and B.
+void addLayers(Image& image, const KindImages& kinds) {
+  for (std::uint32_t k = 0; k < kinds.size(); ++k) {
+    const std::size_t first = image.channels.size();
+    for (const char* channel : {"R", "G", "B"})
+      image.addChannel(fmt::format("{}.{}", pathKindName(static_cast<PathKind>(k)), channel));
+    fillChannels(image, first, kinds[k]);
+  }
+}
+
+} // namespace
 
 void checkOutputs(const RenderOptions& o) {
   std::set<fs::path> names;
@@ -20,6 +52,12 @@ void checkOutputs(const RenderOptions& o) {
       throw UsageError("--output '': expected a file name in .png, .exr, .hdr or .pfm");
     checkOutputPath(path);
     checkName(path);
+  }
+  for (std::uint32_t kind = 0; kind < kPathKindCount; ++kind) {
+    for (const auto& path : kindPaths(o, kind)) {
+      checkOutputPath(path);
+      checkName(path);
+    }
   }
   if (!o.stats.empty()) {
     const film::AtomicFile trial(o.stats); // not committed: removed again
@@ -41,10 +79,18 @@ void checkOutputSizes(const RenderOptions& o, int width, int height) {
   }
 }
 
-void writeImages(const RenderOptions& o, const RunReport& report, const Film& film) {
-  const Image image = develop(film);
+void writeImages(const RenderOptions& o, const RunReport& report, const Film& film, const KindImages& kinds) {
+  Image image = develop(film);
+  addLayers(image, kinds);
+  const Metadata metadata = imageMetadata(report);
   for (const auto& path : o.outputs)
-    writeImage(path, image, o.display, imageMetadata(report));
+    writeImage(path, image, o.display, metadata);
+  for (std::uint32_t k = 0; k < kinds.size(); ++k) {
+    Image single(image.width, image.height, {"R", "G", "B"});
+    fillChannels(single, 0, kinds[k]);
+    for (const auto& path : kindPaths(o, k))
+      writeImage(path, single, o.display, metadata);
+  }
 }
 
 void writeStats(const RenderOptions& o, const RunReport& report) {

@@ -19,8 +19,12 @@ void applyOverrides(Scene& scene, const RenderOptions& o) {
     std::tie(scene.width, scene.height) = *o.size;
   if (o.background)
     scene.background = *o.background;
-  if (o.lookAt)
+  if (o.filter && *o.filter != scene.filter.shape)
+    scene.filter = namedFilter(*o.filter);
+  if (o.lookAt) {
     std::tie(scene.camera.eye, scene.camera.target) = *o.lookAt;
+    scene.camera.mirrored = false;
+  }
   if (o.up)
     scene.camera.up = *o.up;
   if (o.fovDegrees) {
@@ -29,11 +33,16 @@ void applyOverrides(Scene& scene, const RenderOptions& o) {
   }
 }
 
+bool hasLight(const Scene& scene) {
+  const EffectSet effects = detectEffects(scene, {});
+  return effects.has(Effect::AreaLights) || effects.has(Effect::Background) ||
+         effects.has(Effect::Environment) || effects.has(Effect::DeltaLights);
+}
+
 Scene loadWithOverrides(const RenderOptions& o, SceneReport& report) {
   Scene scene = loadScene(o.scenes, report);
   applyOverrides(scene, o);
-  const EffectSet effects = detectEffects(scene, o.estimator);
-  if (!effects.has(Effect::AreaLights) && !effects.has(Effect::Background)) {
+  if (!hasLight(scene)) {
     report.warnings.push_back(fmt::format(
         "{}: no light: no material emits (Ke, or the framework's Ka) and there is no --background; "
         "the image will be black",
@@ -51,13 +60,6 @@ RenderJob withDefaults(RenderJob job, const Scene& scene) {
   if (!job.frames && !job.seconds && !job.targetError)
     job.frames = static_cast<std::uint64_t>(scene.defaultFrames);
   return job;
-}
-
-std::vector<std::string> biasOf(const RenderOptions& o) {
-  std::vector<std::string> bias;
-  if (o.estimator.maxBounces != kUnlimitedBounces)
-    bias.push_back(fmt::format("--max-bounces {}", o.estimator.maxBounces));
-  return bias;
 }
 
 ExitCode conclude(const RenderOptions& o, const RunReport& report, const gpu::Context& context) {
@@ -83,19 +85,20 @@ ExitCode runRender(const RenderOptions& o) {
   const Scene scene = loadWithOverrides(o, report.sceneReport);
   checkOutputSizes(o, scene.width, scene.height);
   const RenderJob job = withDefaults(o.job, scene);
-  for (const auto& line : describeOptions(o, job, scene))
+  const EstimatorSettings estimator = estimatorFor(o, scene);
+  for (const auto& line : describeOptions(o, job, scene, estimator))
     spdlog::debug("{}", line);
   report.seconds.load = watch.restart();
 
-  const EffectSet effects = detectEffects(scene, o.estimator);
+  const EffectSet effects = detectEffects(scene, estimator);
   const gpu::Context context({o.device, o.validation});
   watch.restart();
-  const PackedScene packed = packScene(scene);
+  const PackedScene packed = packScene(scene, estimator);
   const DeviceScene deviceScene = uploadScene(context, packed);
   report.seconds.build = watch.restart();
 
   Integrator integrator(context, deviceScene, scene, effects,
-                        {o.estimator, scene.width, scene.height, o.seed, {}, {}});
+                        {estimator, scene.width, scene.height, o.seed, {}, {}});
   integrator.warmUp();
   report.seconds.compile = watch.restart();
 
@@ -110,16 +113,17 @@ ExitCode runRender(const RenderOptions& o) {
   report.height = scene.height;
   report.counters = integrator.counters();
   report.film = filmStatistics(film);
+  report.tail = estimateTail(film);
   report.effects = effects.names();
   report.device = context.info().name;
   report.seed = o.seed;
   report.deviceBytes = deviceScene.bytes() + integrator.filmBytes();
-  report.bias = biasOf(o);
+  report.bias = biasOf(o, estimator);
   if (report.counters.faults() > 0 && report.result.stop != StopReason::User)
     report.result.stop = StopReason::Fault;
 
   watch.restart();
-  writeImages(o, report, film);
+  writeImages(o, report, film, integrator.kindImages(film));
   report.seconds.output = watch.restart();
   writeStats(o, report);
   return conclude(o, report, context);

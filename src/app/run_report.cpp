@@ -52,6 +52,9 @@ nlohmann::ordered_json statsOf(const RunReport& r) {
   j["error"] = {{"relative", r.film.relativeError},
                 {"relativeUpper95", r.film.relativeErrorUpper},
                 {"standardError", rgb(r.film.standardError)}};
+  if (r.tail)
+    j["error"]["tailIndex"] = r.tail->index;
+  j["error"]["trusted"] = !(r.tail && r.tail->heavy());
   j["mean"] = rgb(r.film.mean);
   j["effects"] = r.effects;
   j["device"] = r.device;
@@ -72,6 +75,8 @@ nlohmann::ordered_json statsOf(const RunReport& r) {
 }
 
 Metadata::mapped_type metadataValue(const nlohmann::ordered_json& value) {
+  if (value.is_boolean())
+    return std::int64_t{value.get<bool>() ? 1 : 0};
   if (value.is_number_float())
     return value.get<double>();
   if (value.is_number())
@@ -110,6 +115,15 @@ std::string faultText(const RunCounters& c) {
                      c.nonFinite, c.cutTraversal, c.stackOverflow, c.invalidPdf);
 }
 
+std::string tailWarning(const RunReport& r) {
+  if (!r.tail || !r.tail->heavy())
+    return {};
+  return fmt::format(
+      "the standard error is not to be trusted: the samples' tail falls with power {:.2f} (Hill), "
+      "below 2 their variance is infinite or their brightest are still too few",
+      r.tail->index);
+}
+
 std::string summaryText(const RunReport& r, const std::vector<fs::path>& outputs) {
   std::string text;
   const auto line = [&](const std::string& s) { text += s + "\n"; };
@@ -123,6 +137,8 @@ std::string summaryText(const RunReport& r, const std::vector<fs::path>& outputs
                    r.seconds.compile));
   line(fmt::format("mean radiance {:.5g} {:.5g} {:.5g}, {}", r.film.mean.x, r.film.mean.y, r.film.mean.z,
                    errorText(r.film)));
+  if (const std::string warning = tailWarning(r); !warning.empty())
+    line(warning);
   if (r.counters.cappedPaths > 0)
     line(fmt::format("{} paths ended by the cap on trapped paths", r.counters.cappedPaths));
   if (!r.bias.empty())

@@ -3,6 +3,7 @@
 
 #include "app/options.h"
 #include "film/film.h"
+#include "film/tail.h"
 #include "render/render_loop.h"
 
 namespace vkpt {
@@ -21,6 +22,7 @@ struct RunReport {
   } seconds;
   RunCounters counters;
   FilmStatistics film;
+  std::optional<TailEstimate> tail;
   std::vector<std::string> effects;
   std::string device;
   std::uint32_t seed = 0;
@@ -35,6 +37,8 @@ std::string summaryText(const RunReport& report, const std::vector<fs::path>& ou
 std::string statsJson(const RunReport& report);
 /// The same facts, a key for each leaf ("faults.nonFinite"); an error that is not known is left out.
 Metadata imageMetadata(const RunReport& report);
+/// Why the errors are not to be trusted, in one line; empty where they are.
+std::string tailWarning(const RunReport& report);
 /// Every fault by its cause, in one line.
 std::string faultText(const RunCounters& counters);
 

@@ -1,9 +1,11 @@
 #include "device/camera_frame.h"
 
 #include "core/error.h"
+#include "device/filter_table.h"
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -16,6 +18,28 @@ shared::vec4 toVec4(const Vec3d& v) {
 
 std::uint32_t blocksAlong(int pixels) {
   return (static_cast<std::uint32_t>(pixels) + shared::kBlockEdge - 1) / shared::kBlockEdge;
+}
+
+// What can still become of a path by its history (shaders/lib/kinds.glsl), a bit a kind.
+constexpr std::uint32_t bit(std::uint32_t kind) { return 1U << kind; }
+constexpr std::uint32_t kBehindS = bit(shared::kKindCaustic) | bit(shared::kKindIndirectCaustic);
+constexpr std::uint32_t kBehindD = bit(shared::kKindIndirect) | kBehindS;
+constexpr std::array<std::uint32_t, 8> kWithinReach{
+    kAllPathKinds,
+    kAllPathKinds & ~bit(shared::kKindEmission),
+    kBehindD | bit(shared::kKindDirect),
+    bit(shared::kKindIndirect) | bit(shared::kKindIndirectCaustic),
+    kBehindS,
+    kBehindS,
+    kBehindS,
+    bit(shared::kKindIndirectCaustic),
+};
+
+std::uint32_t deadHistories(std::uint32_t pathKinds) {
+  std::uint32_t dead = 0;
+  for (std::uint32_t history = 0; history < kWithinReach.size(); ++history)
+    dead |= (kWithinReach[history] & pathKinds) == 0 ? 1U << history : 0U;
+  return dead;
 }
 
 } // namespace
@@ -46,7 +70,7 @@ void setCamera(shared::FrameConstants& constants, const Scene& scene, int width,
   constants.down = toVec4(down);
 }
 
-shared::FrameConstants frameConstants(const Scene& scene, std::uint32_t lightCount,
+shared::FrameConstants frameConstants(const Scene& scene, const LightChoice& lights,
                                       const EstimatorSettings& estimator, int width, int height,
                                       std::uint32_t seed) {
   shared::FrameConstants c{};
@@ -55,9 +79,19 @@ shared::FrameConstants frameConstants(const Scene& scene, std::uint32_t lightCou
   c.width = static_cast<std::uint32_t>(width);
   c.height = static_cast<std::uint32_t>(height);
   c.seed = seed;
-  c.lightCount = lightCount;
+  c.lightCount = lights.count;
+  c.environmentProbability = lights.environmentProbability;
+  c.environmentWidth = static_cast<std::uint32_t>(scene.environment.width);
+  c.environmentHeight = static_cast<std::uint32_t>(scene.environment.height);
   c.maxBounces = estimator.maxBounces;
   c.rouletteAfter = estimator.effectiveRouletteAfter();
+  c.survival = static_cast<float>(1.0 - estimator.termination);
+  c.lightStrategy = static_cast<std::uint32_t>(estimator.light);
+  c.lightSamples = estimator.lightSamples;
+  c.splitDepth = estimator.splitDepth;
+  c.pathKinds = estimator.pathKinds;
+  c.deadHistories = deadHistories(estimator.pathKinds);
+  setFilter(c, scene.filter);
   c.blocksX = blocksAlong(width);
   c.blocksPerStripe = (c.blocksX * blocksAlong(height) + shared::kStripes - 1) / shared::kStripes;
   return c;

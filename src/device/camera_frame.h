@@ -1,6 +1,7 @@
 #pragma once
 // What stays the same over a render, as the kernels and the host programs read it.
 
+#include "device/device_scene.h"
 #include "device/estimator_settings.h"
 #include "scene/scene.h"
 #include "shared/structs.h"
@@ -13,7 +14,7 @@ namespace vkpt {
 void setCamera(shared::FrameConstants& constants, const Scene& scene, int width, int height);
 
 /// All of the constants; throws as setCamera() does.
-shared::FrameConstants frameConstants(const Scene& scene, std::uint32_t lightCount,
+shared::FrameConstants frameConstants(const Scene& scene, const LightChoice& lights,
                                       const EstimatorSettings& estimator, int width, int height,
                                       std::uint32_t seed);
 

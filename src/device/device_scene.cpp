@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <bit>
 
+#include <glm/packing.hpp>
+
 namespace vkpt {
 namespace {
 
@@ -47,42 +49,154 @@ void packTriangles(const Scene& scene, PackedScene& packed) {
   }
 }
 
-void packMaterials(const Scene& scene, PackedScene& packed) {
-  for (const Material& m : scene.materials) {
-    packed.materials.push_back(texel(m.reflectance, static_cast<std::uint32_t>(m.bsdf)));
-    packed.materials.push_back(texel(m.emission, m.intIor / m.extIor));
-    packed.materials.push_back(texel(m.eta, 0U));
-    packed.materials.push_back(texel(m.k, 0U));
+std::uint32_t flagsOf(const Material& m) {
+  return (m.twoSided ? 0U : shared::kMaterialOneSided) |
+         (m.distribution == MicrofacetDistribution::Beckmann ? shared::kMaterialBeckmann : 0U);
+}
+
+void packMaterials(const Scene& scene, const LightTable& lights, PackedScene& packed) {
+  std::vector<bool> sampled(scene.materials.size());
+  for (const LightSource& light : lights.lights) {
+    if (light.kind == LightSource::Kind::Triangle)
+      sampled[scene.triangles[light.index].material] = true;
+  }
+  for (std::size_t i = 0; i < scene.materials.size(); ++i) {
+    const Material& m = scene.materials[i];
+    const auto bsdf = effectiveBsdf(m);
+    const double radiance = static_cast<double>(m.emission.x) + m.emission.y + m.emission.z;
+    const double lightPdf = sampled[i] ? radiance / lights.totalPower : 0.0;
+    packed.materials.push_back(texel(m.reflectance, static_cast<std::uint32_t>(bsdf) | (flagsOf(m) << 16U)));
+    packed.materials.push_back(texel(m.emission, static_cast<float>(lightPdf)));
+    packed.materials.push_back(texel(m.eta, bsdf == BsdfType::Phong ? m.exponent : m.roughness));
+    packed.materials.push_back(texel(m.k, m.intIor / m.extIor));
+    packed.materials.push_back(texel(m.specular, m.texture));
+    packed.materials.push_back(texel(m.absorption, 0U));
   }
 }
 
-void packLights(const Scene& scene, PackedScene& packed) {
-  const LightTable table = makeLightTable(scene);
+void packLight(const Scene& scene, const LightSource& light, const AliasRow& row,
+               std::span<const std::uint32_t> position, std::vector<Texel>& out) {
+  std::array<Vec3f, 3> v{};
+  Vec3f radiance(0.0F);
+  std::uint32_t what = 0;
+  switch (light.kind) {
+  case LightSource::Kind::Triangle: {
+    const Triangle& t = scene.triangles[light.index];
+    v = {scene.positions[t.vertex[0]], scene.positions[t.vertex[1]], scene.positions[t.vertex[2]]};
+    radiance = scene.materials[t.material].emission;
+    what = position[light.index];
+    break;
+  }
+  case LightSource::Kind::Point:
+    v[0] = scene.pointLights[light.index].position;
+    radiance = scene.pointLights[light.index].intensity;
+    what = shared::kLightPoint;
+    break;
+  case LightSource::Kind::Directional:
+    v[0] = -scene.directionalLights[light.index].direction;
+    radiance = scene.directionalLights[light.index].irradiance;
+    what = shared::kLightDirectional;
+    break;
+  case LightSource::Kind::Environment:
+    what = shared::kLightEnvironment;
+    break;
+  }
+  out.push_back(texel(v[0], static_cast<float>(row.threshold)));
+  out.push_back(texel(v[1], row.alias));
+  out.push_back(texel(v[2], static_cast<float>(light.probability)));
+  out.push_back(texel(radiance, what));
+}
+
+void packLights(const Scene& scene, const LightTable& table, PackedScene& packed) {
   std::vector<std::uint32_t> position(scene.triangles.size());
   for (std::uint32_t i = 0; i < packed.bvh.triangleOrder.size(); ++i)
     position[packed.bvh.triangleOrder[i]] = i;
-  packed.lightCount = static_cast<std::uint32_t>(table.triangles.size());
-  for (std::size_t i = 0; i < table.triangles.size(); ++i) {
-    const Triangle& t = scene.triangles[table.triangles[i]];
-    packed.lights.push_back(texel(scene.positions[t.vertex[0]], static_cast<float>(table.rows[i].threshold)));
-    packed.lights.push_back(texel(scene.positions[t.vertex[1]], table.rows[i].alias));
-    packed.lights.push_back(texel(scene.positions[t.vertex[2]], static_cast<float>(table.probabilities[i])));
-    packed.lights.push_back(texel(scene.materials[t.material].emission, position[table.triangles[i]]));
+  for (std::size_t i = 0; i < table.lights.size(); ++i)
+    packLight(scene, table.lights[i], table.rows[i], position, packed.lights);
+  packed.lightChoice = {static_cast<std::uint32_t>(table.lights.size()),
+                        static_cast<float>(table.environmentProbability())};
+}
+
+void packUvs(const Scene& scene, PackedScene& packed) {
+  for (const std::uint32_t id : packed.bvh.triangleOrder) {
+    std::array<Vec2f, 3> uv{};
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::uint32_t index = scene.triangles[id].uv[i];
+      uv[i] = index == kNoUv ? Vec2f(0.0F) : scene.uvs[index];
+    }
+    packed.uvs.push_back(texel({uv[0].x, uv[0].y, uv[1].x}, uv[1].y));
+    packed.uvs.push_back(texel({uv[2].x, uv[2].y, 0.0F}, 0U));
+  }
+}
+
+/// Two pixels a texel: (r g, b 0) in half floats each.
+void packTextures(const Scene& scene, PackedScene& packed) {
+  using shared::kPixelsPerTexel;
+  std::size_t first = scene.textures.size() * kPixelsPerTexel;
+  for (const Texture& t : scene.textures) {
+    packed.textures.push_back({static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(t.width),
+                               static_cast<std::uint32_t>(t.height), 0U});
+    first += t.texels.size() + t.texels.size() % kPixelsPerTexel;
+  }
+  for (const Texture& t : scene.textures) {
+    for (std::size_t i = 0; i < t.texels.size(); ++i) {
+      if (i % kPixelsPerTexel == 0)
+        packed.textures.push_back({});
+      const std::size_t half = 2 * (i % kPixelsPerTexel);
+      packed.textures.back()[half] = glm::packHalf2x16({t.texels[i].x, t.texels[i].y});
+      packed.textures.back()[half + 1] = glm::packHalf2x16({t.texels[i].z, 0.0F});
+    }
+  }
+}
+
+void packEnvironment(const EnvironmentMap& map, PackedScene& packed) {
+  const auto angles = texelSolidAngles(map.width, map.height);
+  std::vector<double> weights;
+  double total = 0.0;
+  for (std::size_t i = 0; i < map.radiance.size(); ++i) {
+    const Vec3d L = map.radiance[i];
+    weights.push_back((L.x + L.y + L.z) * angles[i / static_cast<std::size_t>(map.width)]);
+    total += weights.back();
+  }
+  const auto rows = makeAliasTable(weights);
+  for (std::size_t i = 0; i < map.radiance.size(); ++i) {
+    const Vec3d L = map.radiance[i];
+    packed.environment.push_back(texel(map.radiance[i], static_cast<float>((L.x + L.y + L.z) / total)));
+    packed.environment.push_back(
+        {std::bit_cast<std::uint32_t>(static_cast<float>(rows[i].threshold)), rows[i].alias, 0U, 0U});
   }
 }
 
 } // namespace
 
-PackedScene packScene(const Scene& scene, unsigned threads) {
+BsdfType effectiveBsdf(const Material& m) {
+  if (m.bsdf == BsdfType::Phong && m.specular == Vec3f(0.0F))
+    return BsdfType::Diffuse;
+  return m.bsdf;
+}
+
+bool scatters(const Material& m) {
+  return effectiveBsdf(m) != BsdfType::Diffuse || m.reflectance != Vec3f(0.0F);
+}
+
+PackedScene packScene(const Scene& scene, const EstimatorSettings& estimator, unsigned threads) {
   PackedScene packed;
   BvhSettings settings;
   settings.threads = threads;
   settings.maxDepth = shared::kMaxStackDepth - 1U;
   packed.bvh = buildBvh(triangleBounds(scene), settings);
   packTriangles(scene, packed);
-  packMaterials(scene, packed);
-  packLights(scene, packed);
-  for (auto* texels : {&packed.triangles, &packed.normals, &packed.materials, &packed.lights}) {
+  const LightTable lights = makeLightTable(scene, estimator.light);
+  packMaterials(scene, lights, packed);
+  packLights(scene, lights, packed);
+  if (!scene.textures.empty()) {
+    packUvs(scene, packed);
+    packTextures(scene, packed);
+  }
+  if (hasEnvironment(scene))
+    packEnvironment(scene.environment, packed);
+  for (auto* texels : {&packed.triangles, &packed.normals, &packed.materials, &packed.lights, &packed.uvs,
+                       &packed.textures, &packed.environment}) {
     if (texels->empty())
       texels->push_back({});
   }
@@ -96,13 +210,17 @@ DeviceScene uploadScene(const gpu::Context& context, const PackedScene& packed) 
   scene.normals = gpu::TexelBuffer(context, "normals", std::as_bytes(std::span{packed.normals}));
   scene.materials = gpu::TexelBuffer(context, "materials", std::as_bytes(std::span{packed.materials}));
   scene.lights = gpu::TexelBuffer(context, "lights", std::as_bytes(std::span{packed.lights}));
-  scene.lightCount = packed.lightCount;
+  scene.uvs = gpu::TexelBuffer(context, "texture coordinates", std::as_bytes(std::span{packed.uvs}));
+  scene.textures = gpu::TexelBuffer(context, "textures", std::as_bytes(std::span{packed.textures}));
+  scene.environment = gpu::TexelBuffer(context, "environment", std::as_bytes(std::span{packed.environment}));
+  scene.lightChoice = packed.lightChoice;
   scene.stackDepth = packed.bvh.depth + 1U;
   return scene;
 }
 
 std::uint64_t DeviceScene::bytes() const {
-  return nodes.bytes() + triangles.bytes() + normals.bytes() + materials.bytes() + lights.bytes();
+  return nodes.bytes() + triangles.bytes() + normals.bytes() + materials.bytes() + lights.bytes() +
+         uvs.bytes() + textures.bytes() + environment.bytes();
 }
 
 } // namespace vkpt

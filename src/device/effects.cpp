@@ -1,8 +1,12 @@
 #include "device/effects.h"
 
+#include "device/device_scene.h"
+#include "device/filter_table.h"
 #include "device/light_table.h"
 
+#include <algorithm>
 #include <array>
+#include <initializer_list>
 
 namespace vkpt {
 namespace {
@@ -23,13 +27,65 @@ Effect effectOf(BsdfType type) {
     return Effect::Glass;
   case BsdfType::Conductor:
     return Effect::Metal;
-  default:
-    break;
+  case BsdfType::Phong:
+    return Effect::Phong;
+  case BsdfType::Microfacet:
+    return Effect::Microfacet;
+  case BsdfType::RoughConductor:
+    return Effect::RoughMetal;
+  case BsdfType::RoughDielectric:
+    return Effect::RoughGlass;
   }
   return Effect::Diffuse;
 }
 
+constexpr auto kSmoothBsdfs = {Effect::Diffuse, Effect::Phong, Effect::Microfacet, Effect::RoughMetal,
+                               Effect::RoughGlass};
+constexpr auto kSpecularBsdfs = {Effect::Mirror, Effect::Glass, Effect::Metal};
+
+bool any(const EffectSet& set, std::initializer_list<Effect> effects) {
+  return std::ranges::any_of(effects, [&](Effect e) { return set.has(e); });
+}
+
 bool isBlack(const Vec3f& v) { return v == Vec3f(0.0F); }
+
+void detectSurfaces(const Scene& scene, EffectSet& set) {
+  for (const Triangle& t : scene.triangles) {
+    const Material& m = scene.materials[t.material];
+    if (t.normal[0] != kNoNormal)
+      set.set(Effect::SmoothNormals);
+    if (!scatters(m))
+      continue;
+    set.set(effectOf(effectiveBsdf(m)));
+    const bool transmits = m.bsdf == BsdfType::Dielectric || m.bsdf == BsdfType::RoughDielectric;
+    if (!m.twoSided && !transmits)
+      set.set(Effect::OneSided);
+    if (m.texture != kNoTexture)
+      set.set(Effect::Textures);
+    if (transmits && !isBlack(m.absorption))
+      set.set(Effect::Absorption);
+  }
+}
+
+void detectLights(const Scene& scene, const EstimatorSettings& settings, EffectSet& set) {
+  const LightTable table = makeLightTable(scene, settings.light);
+  const auto is = [](LightSource::Kind kind) {
+    return [kind](const LightSource& light) { return light.kind == kind; };
+  };
+  const bool delta = std::ranges::any_of(table.lights, is(LightSource::Kind::Point)) ||
+                     std::ranges::any_of(table.lights, is(LightSource::Kind::Directional));
+  const bool sampling = !table.lights.empty() && any(set, kSmoothBsdfs) && settings.maxBounces > 0;
+  const bool hittable = std::ranges::any_of(table.lights, is(LightSource::Kind::Triangle)) ||
+                        std::ranges::any_of(table.lights, is(LightSource::Kind::Environment));
+  set.set(Effect::AreaLights, !emissiveTriangles(scene).empty());
+  set.set(Effect::Environment, hasEnvironment(scene));
+  set.set(Effect::Background, !isBlack(scene.background));
+  set.set(Effect::LightSampling, sampling);
+  set.set(Effect::ManyLights, sampling && table.lights.size() > 1);
+  set.set(Effect::DeltaLights, sampling && delta);
+  set.set(Effect::Mis, sampling && hittable && settings.light == LightStrategy::Mis);
+  set.set(Effect::LightSamples, sampling && settings.lightSamples > 1);
+}
 
 } // namespace
 
@@ -46,24 +102,15 @@ std::vector<std::string> EffectSet::names() const {
 
 EffectSet detectEffects(const Scene& scene, const EstimatorSettings& settings) {
   EffectSet set;
-  for (const Triangle& t : scene.triangles) {
-    const Material& m = scene.materials[t.material];
-    // A diffuse surface that reflects nothing, such as a lamp, scatters nothing.
-    if (m.bsdf != BsdfType::Diffuse || !isBlack(m.reflectance))
-      set.set(effectOf(m.bsdf));
-    if (t.normal[0] != kNoNormal)
-      set.set(Effect::SmoothNormals);
-  }
-  const std::size_t lights = emissiveTriangles(scene).size();
-  const bool scatters =
-      set.has(Effect::Diffuse) || set.has(Effect::Mirror) || set.has(Effect::Glass) || set.has(Effect::Metal);
-  set.set(Effect::AreaLights, lights > 0);
-  set.set(Effect::LightSampling, lights > 0 && set.has(Effect::Diffuse) &&
-                                     settings.light == LightStrategy::Nee && settings.maxBounces > 0);
-  set.set(Effect::ManyLights, lights > 1 && set.has(Effect::LightSampling));
-  set.set(Effect::Background, !isBlack(scene.background));
+  detectSurfaces(scene, set);
+  detectLights(scene, settings, set);
+  const bool scattering = any(set, kSmoothBsdfs) || any(set, kSpecularBsdfs);
   set.set(Effect::BounceLimit, settings.maxBounces != kUnlimitedBounces);
-  set.set(Effect::Roulette, scatters && settings.effectiveRouletteAfter() <= settings.maxBounces);
+  set.set(Effect::Roulette, scattering && settings.effectiveRouletteAfter() <= settings.maxBounces);
+  set.set(Effect::Splitting, settings.splitDepth > 0 && any(set, kSpecularBsdfs));
+  set.set(Effect::KindImages, settings.kindImages);
+  set.set(Effect::PathKinds, settings.kindImages || settings.pathKinds != kAllPathKinds);
+  set.set(Effect::PixelFilter, !isPixelBox(scene.filter));
   return set;
 }
 

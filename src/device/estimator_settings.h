@@ -12,19 +12,38 @@ namespace vkpt {
 enum class RouletteMode : std::uint32_t {
   Albedo = 0,     ///< survive with the surface's mean reflectance
   Throughput = 1, ///< survive with the path's throughput
+  Constant = 2,   ///< end with a constant probability
 };
 
 inline constexpr std::uint32_t kUnlimitedBounces = std::numeric_limits<std::uint32_t>::max();
+inline constexpr std::uint32_t kAllPathKinds = (1U << kPathKindCount) - 1U;
 
 struct EstimatorSettings {
-  LightStrategy light = LightStrategy::Nee;
+  LightStrategy light = LightStrategy::Mis;
+  std::uint32_t lightSamples = 1;               ///< shadow rays at a surface point, 1 to kMaxLightSamples
   std::uint32_t maxBounces = kUnlimitedBounces; ///< 0: emitted light only, 1: + direct light, ...
   RouletteMode roulette = RouletteMode::Throughput;
+  double termination = 0.5;                   ///< RouletteMode::Constant: the probability to end, [0, 1)
   std::optional<std::uint32_t> rouletteAfter; ///< first bounce after whose direct light a path may end
+  /// At smooth dielectrics both branches are followed up to this trace depth; specular surfaces end no path
+  /// by roulette up to it. 0 to kMaxSplitDepth.
+  std::uint32_t splitDepth = 0;
+  std::uint32_t pathKinds = kAllPathKinds; ///< bit i: PathKind i is rendered
+  bool kindImages = false;                 ///< an image of each kind beside the whole
 
-  [[nodiscard]] std::uint32_t effectiveRouletteAfter() const {
-    return rouletteAfter.value_or(roulette == RouletteMode::Albedo ? 1U : 3U);
-  }
+  [[nodiscard]] std::uint32_t effectiveRouletteAfter() const;
 };
+
+inline std::uint32_t EstimatorSettings::effectiveRouletteAfter() const {
+  switch (roulette) {
+  case RouletteMode::Albedo:
+    return rouletteAfter.value_or(1);
+  case RouletteMode::Throughput:
+    return rouletteAfter.value_or(3);
+  case RouletteMode::Constant:
+    return rouletteAfter.value_or(2);
+  }
+  return rouletteAfter.value_or(3);
+}
 
 } // namespace vkpt

@@ -9,10 +9,6 @@ double srgbEncode(double linear) {
   return linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1.0 / 2.4) - 0.055;
 }
 
-double srgbDecode(double encoded) {
-  return encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
-}
-
 double acesFilmic(double x) {
   const double bounded = std::min(x, 1e100); // infinity has the limit's value
   return (bounded * (2.51 * bounded + 0.03)) / (bounded * (2.43 * bounded + 0.59) + 0.14);

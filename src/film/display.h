@@ -1,13 +1,14 @@
 #pragma once
 // From linear radiance to the bytes of a display, and back.
 
+#include "decode/srgb.h"
 #include "film/image.h"
 
 namespace vkpt::film {
 
 /// The sRGB transfer curve and its inverse, IEC 61966-2-1; meant for [0, 1].
 double srgbEncode(double linear);
-double srgbDecode(double encoded);
+using decode::srgbDecode;
 
 /// K. Narkowicz 2016, "ACES Filmic Tone Mapping Curve" (knarkowicz.wordpress.com): a rational fit, per
 /// channel, of the ACES reference and output transforms for an sRGB display, without the factor 0.6 of the

@@ -41,6 +41,14 @@ std::array<const float*, 3> colourPlanes(const Image& image) {
   return planes;
 }
 
+Image planesOf(const decode::Picture& picture) {
+  Image image(picture.width, picture.height, {"R", "G", "B"});
+  for (std::size_t i = 0; i < image.pixelCount(); ++i)
+    for (std::size_t c = 0; c < 3; ++c)
+      image.channels[c].values[i] = picture.rgb[3 * i + c];
+  return image;
+}
+
 } // namespace film
 
 namespace {
@@ -77,7 +85,7 @@ std::string oneLine(std::string text) {
   return text;
 }
 
-Image decode(Format format, film::ByteView file) {
+Image decodeAs(Format format, film::ByteView file) {
   switch (format) {
   case Format::Png:
     return film::decodePng(file);
@@ -135,7 +143,7 @@ Image readImage(const fs::path& path) {
     throw SceneError({path.string()}, fmt::format("unknown image format; {}", kKnownFormats));
   try {
     const film::Bytes file = film::readWholeFile(path);
-    return decode(*format, file);
+    return decodeAs(*format, file);
   } catch (const Error&) {
     throw;
   } catch (const std::bad_alloc&) {

@@ -1,5 +1,6 @@
-// PNG (ISO/IEC 15948): the pixels through stb; the text chunks and the check of the CRCs are ours.
+// PNG (ISO/IEC 15948): the pixels through stb; the text chunks are ours.
 
+#include "decode/crc32.h"
 #include "film/codecs.h"
 #include "film/display.h"
 #include "film/stb.h"
@@ -15,34 +16,12 @@ namespace vkpt::film {
 namespace {
 
 constexpr std::size_t kSignatureSize = 8;
-constexpr std::array<unsigned char, kSignatureSize> kSignature{137, 'P', 'N', 'G', 13, 10, 26, 10};
 constexpr std::size_t kChunkOverhead = 12; // length, type, CRC
 constexpr std::size_t kHeaderEnd = kSignatureSize + kChunkOverhead + 13;
-
-/// CRC-32 of a chunk's type and data (ISO 3309, reflected polynomial EDB88320).
-std::uint32_t crc32(ByteView bytes) {
-  static const auto table = [] {
-    std::array<std::uint32_t, 256> t{};
-    for (std::uint32_t i = 0; i < 256; ++i) {
-      t[i] = i;
-      for (int bit = 0; bit < 8; ++bit)
-        t[i] = (t[i] & 1U) != 0U ? (t[i] >> 1U) ^ 0xEDB88320U : t[i] >> 1U;
-    }
-    return t;
-  }();
-  std::uint32_t c = 0xFFFFFFFFU;
-  for (const unsigned char b : bytes)
-    c = table[(c ^ b) & 0xFFU] ^ (c >> 8U);
-  return ~c;
-}
 
 void putBigEndian(Bytes& out, std::uint32_t v) {
   for (const unsigned shift : {24U, 16U, 8U, 0U})
     out.push_back(static_cast<unsigned char>((v >> shift) & 0xFFU));
-}
-
-std::uint32_t bigEndian(ByteView b) {
-  return (std::uint32_t{b[0]} << 24U) | (std::uint32_t{b[1]} << 16U) | (std::uint32_t{b[2]} << 8U) | b[3];
 }
 
 void putChunk(Bytes& out, std::string_view type, std::string_view data) {
@@ -50,7 +29,7 @@ void putChunk(Bytes& out, std::string_view type, std::string_view data) {
   const std::size_t start = out.size();
   out.insert(out.end(), type.begin(), type.end());
   out.insert(out.end(), data.begin(), data.end());
-  putBigEndian(out, crc32(ByteView(out).subspan(start)));
+  putBigEndian(out, decode::crc32(ByteView(out).subspan(start)));
 }
 
 std::string textOf(const Metadata::mapped_type& value) {
@@ -69,24 +48,6 @@ void putText(Bytes& out, const std::string& keyword, const std::string& text) {
     putChunk(out, "tEXt", keyword + "\0"s + text);
   else // not compressed, no language, no translated keyword
     putChunk(out, "iTXt", keyword + "\0\0\0\0\0"s + text);
-}
-
-/// stb does not look at the CRCs, and takes the end of the data for zeros.
-void checkChunks(ByteView file) {
-  if (file.size() < kSignatureSize || !std::equal(kSignature.begin(), kSignature.end(), file.begin()))
-    throw FormatError("is no PNG file");
-  ByteView rest = file.subspan(kSignatureSize);
-  for (;;) {
-    if (rest.size() < kChunkOverhead || bigEndian(rest) > rest.size() - kChunkOverhead)
-      throw FormatError("broken PNG: the file ends too soon");
-    const std::size_t length = bigEndian(rest);
-    const ByteView type = rest.subspan(4, 4);
-    if (crc32(rest.subspan(4, 4 + length)) != bigEndian(rest.subspan(8 + length)))
-      throw FormatError("broken PNG: a chunk's CRC is wrong");
-    if (std::equal(type.begin(), type.end(), "IEND"))
-      return;
-    rest = rest.subspan(kChunkOverhead + length);
-  }
 }
 
 } // namespace
@@ -115,14 +76,6 @@ void writePng(AtomicFile& out, const Image& image, const DisplaySettings& displa
   out.write(ByteView(png).subspan(kHeaderEnd));
 }
 
-Image decodePng(ByteView file) {
-  checkChunks(file);
-  const DecodedPng png = stbDecodePng(file);
-  Image image(png.width, png.height, {"R", "G", "B"});
-  for (std::size_t i = 0; i < image.pixelCount(); ++i)
-    for (std::size_t c = 0; c < 3; ++c)
-      image.channels[c].values[i] = static_cast<float>(srgbDecode(png.rgb[3 * i + c] / 65535.0));
-  return image;
-}
+Image decodePng(ByteView file) { return planesOf(decode::decodePng(file)); }
 
 } // namespace vkpt::film

@@ -17,13 +17,13 @@ public:
 #include "lib/records.glsl"
 
   Program(const PackedScene& scene, const FrameConstants& frame, const EffectSet& effects,
-          RouletteMode roulette)
+          RouletteMode roulette, PixelFilter::Shape filter = PixelFilter::Shape::Box)
       :
 #define VKPT_INITIALISE_EFFECT(id, Name, name, what) kEffect##Name(effects),
         VKPT_EFFECTS(VKPT_INITIALISE_EFFECT)
 #undef VKPT_INITIALISE_EFFECT
             kRouletteMode(static_cast<uint>(roulette)),
-        m_scene(&scene), m_frame(frame) {
+        kFilterShape(static_cast<uint>(filter)), m_scene(&scene), m_frame(frame) {
     if (scene.bvh.depth >= kMaxStackDepth)
       throw std::length_error("the BVH is too deep for the traversal's stack");
   }
@@ -33,6 +33,7 @@ public:
   VKPT_EFFECTS(VKPT_DECLARE_EFFECT)
 #undef VKPT_DECLARE_EFFECT
   uint kRouletteMode;
+  uint kFilterShape;
 
   // --- accessors: as in shaders/device_memory.glsl ---
   Vec4 nodeBounds(uint node, uint row) const {
@@ -56,16 +57,47 @@ public:
   Vec3 triangleNormal(uint i, uint corner) const {
     return vector(m_scene->normals[std::size_t{i} * kTexelsPerTriangle + corner]);
   }
+  Vec2 triangleUv(uint i, uint corner) const {
+    const Texel* t = &m_scene->uvs[std::size_t{i} * kTexelsPerUv];
+    const Texel& pair = t[corner / 2];
+    const std::size_t at = 2 * std::size_t{corner % 2};
+    return Vec2(number(pair[at]), number(pair[at + 1]));
+  }
   Material material(uint i) const {
     const Texel* t = &m_scene->materials[std::size_t{i} * kTexelsPerMaterial];
     Material m;
-    m.bsdf = t[0][3];
     m.reflectance = vector(t[0]);
+    m.bsdf = t[0][3] & 0xFFFFU;
+    m.flags = t[0][3] >> 16U;
     m.emission = vector(t[1]);
-    m.ior = number(t[1][3]);
+    m.lightPdf_A = number(t[1][3]);
     m.eta = vector(t[2]);
+    m.roughness = number(t[2][3]);
     m.k = vector(t[3]);
+    m.ior = number(t[3][3]);
+    m.specular = vector(t[4]);
+    m.texture = t[4][3];
+    m.absorption = vector(t[5]);
     return m;
+  }
+  TextureRecord textureRecord(uint i) const {
+    const Texel& t = m_scene->textures[i];
+    return {t[0], t[1], t[2]};
+  }
+  Vec3 texturePixel(uint pixel) const {
+    const Texel& t = m_scene->textures[pixel / kPixelsPerTexel];
+    const std::size_t at = 2 * std::size_t{pixel % kPixelsPerTexel};
+    const glm::vec2 rg = glm::unpackHalf2x16(t[at]);
+    return Vec3(rg.x, rg.y, glm::unpackHalf2x16(t[at + 1]).x);
+  }
+  EnvironmentRecord environmentRecord(uint i) const {
+    const Texel* t = &m_scene->environment[std::size_t{i} * kTexelsPerEnvironmentTexel];
+    EnvironmentRecord r;
+    r.radiance = vector(t[0]);
+    r.pdf_w = number(t[0][3]);
+    r.threshold = number(t[1][0]);
+    r.alias = t[1][1];
+    return r;
   }
   LightRecord lightRecord(uint i) const {
     const Texel* t = &m_scene->lights[std::size_t{i} * kTexelsPerLight];
@@ -83,6 +115,23 @@ public:
   uint lightCount() const { return m_frame.lightCount; }
   uint maxBounces() const { return m_frame.maxBounces; }
   uint rouletteAfter() const { return m_frame.rouletteAfter; }
+  Float survival() const { return m_frame.survival; }
+  uint lightStrategy() const { return m_frame.lightStrategy; }
+  uint lightSamples() const { return m_frame.lightSamples; }
+  uint splitDepth() const { return m_frame.splitDepth; }
+  uint pathKinds() const { return m_frame.pathKinds; }
+  uint deadHistories() const { return m_frame.deadHistories; }
+  uint environmentWidth() const { return m_frame.environmentWidth; }
+  uint environmentHeight() const { return m_frame.environmentHeight; }
+  Float environmentProbability() const { return m_frame.environmentProbability; }
+  Vec4 filterShape() const {
+    const vec4& f = m_frame.filterShape;
+    return Vec4(f.x, f.y, f.z, f.w);
+  }
+  Float filterEdge(uint i) const {
+    const vec4& group = m_frame.filterEdges[i / 4U];
+    return (&group.x)[i % 4U];
+  }
   Vec3 background() const { return vector(m_frame.background); }
   Vec3 cameraEye() const { return vector(m_frame.eye); }
   Vec3 cameraUpperLeft() const { return vector(m_frame.upperLeft); }
@@ -91,12 +140,21 @@ public:
   Float inverseWidth() const { return Float(1) / Float(m_frame.width); }
   Float inverseHeight() const { return Float(1) / Float(m_frame.height); }
 
+  // --- branches that wait ---
+  void storeBranch(uint i, const Branch& branch) { m_branches[i] = branch; }
+  Branch loadBranch(uint i) const { return m_branches[i]; }
+
   // --- what the library reports ---
   HostCounters counters;
   void reportTraversal(uint /*steps*/, bool cut) { counters.cutTraversal += cut ? 1U : 0U; }
   void reportClosestRay() { ++counters.raysClosest; }
   void reportShadowRay(bool traced) { counters.raysShadow += traced ? 1U : 0U; }
   void reportCappedPath() { ++counters.cappedPaths; }
+  void recordKind(uint kind, const Vec3& L) {
+    if (isFinite(L.x) && isFinite(L.y) && isFinite(L.z))
+      kinds[kind] += Vec3d(L);
+  }
+  std::array<Vec3d, kKindCount> kinds{}; // sums over all samples of this program
 
 #include "lib/library.glsl"
 
@@ -112,7 +170,7 @@ public:
       Path path = cameraPath(pixel, x, y, static_cast<uint>(i), key);
       while (Li(path)) {
       }
-      Vec3 L = path.L;
+      Vec3 L = sampleValue(path);
       if (!(isFinite(L.x) && isFinite(L.y) && isFinite(L.z))) {
         ++counters.nonFinite;
         L = Vec3(0);
@@ -135,6 +193,7 @@ private:
 
   const PackedScene* m_scene;
   FrameConstants m_frame;
+  std::array<Branch, kMaxSplitDepth> m_branches{};
 };
 
 #include "host/render_with.inl"

@@ -7,6 +7,7 @@
 #include "host/reference.h"
 #include "shared/structs.h"
 
+#include <array>
 #include <atomic>
 #include <bit>
 #include <cmath>
@@ -19,3 +20,4 @@
 #include <vector>
 
 #include <glm/glm.hpp>
+#include <glm/packing.hpp>

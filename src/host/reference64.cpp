@@ -5,10 +5,11 @@ namespace vkpt {
 
 HostRender renderHost64(const PackedScene& scene, const Scene& source, const EffectSet& effects,
                         const HostSettings& settings, std::uint64_t frames, unsigned threads) {
-  const shared::FrameConstants constants = frameConstants(source, scene.lightCount, settings.estimator,
+  const shared::FrameConstants constants = frameConstants(source, scene.lightChoice, settings.estimator,
                                                           settings.width, settings.height, settings.seed);
   const auto makeProgram = [&] {
-    return host64::Program<RuntimeEffects>(scene, constants, effects, settings.estimator.roulette);
+    return host64::Program<RuntimeEffects>(scene, constants, effects, settings.estimator.roulette,
+                                           source.filter.shape);
   };
   return host64::renderWith(makeProgram, settings.width, settings.height, frames, threads);
 }

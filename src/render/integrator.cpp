@@ -25,19 +25,24 @@ constexpr auto kLayout = std::to_array<gpu::BindingLayout>({
     {kBindingCounters, DescriptorType::eStorageBuffer},
     {kBindingFilm, DescriptorType::eStorageBuffer, kFilmPlanes},
     {kBindingSlots, DescriptorType::eStorageBuffer},
+    {kBindingUvs, DescriptorType::eStorageTexelBuffer},
+    {kBindingTextures, DescriptorType::eStorageTexelBuffer},
+    {kBindingEnvironment, DescriptorType::eStorageTexelBuffer},
+    {kBindingKinds, DescriptorType::eStorageBuffer, kKindCount},
 });
 static_assert(kLayout.size() == kBindingCount);
 
 /// Slots left below which another dispatch costs more than idle lanes do.
 constexpr std::uint32_t kLeastWorthPacking = 256;
 
-gpu::SpecialisationMap specialise(const EffectSet& effects, const IntegratorSettings& settings,
-                                  std::uint32_t stack) {
+gpu::SpecialisationMap specialise(const Scene& source, const EffectSet& effects,
+                                  const IntegratorSettings& settings, std::uint32_t stack) {
   gpu::SpecialisationMap constants = settings.extraConstants;
   for (const auto& e : allEffects())
     constants[static_cast<std::uint32_t>(e.effect)] = effects.has(e.effect) ? 1U : 0U;
   constants[kConstantStackDepth] = stack;
   constants[kConstantRouletteMode] = static_cast<std::uint32_t>(settings.estimator.roulette);
+  constants[kConstantFilterShape] = static_cast<std::uint32_t>(source.filter.shape);
   return constants;
 }
 
@@ -60,17 +65,19 @@ void barrier(const vk::raii::CommandBuffer& commands) {
 Integrator::Integrator(const gpu::Context& context, const DeviceScene& scene, const Scene& source,
                        const EffectSet& effects, const IntegratorSettings& settings)
     : m_context(context), m_settings(settings),
-      m_constants(frameConstants(source, scene.lightCount, settings.estimator, settings.width,
+      m_constants(frameConstants(source, scene.lightChoice, settings.estimator, settings.width,
                                  settings.height, settings.seed)),
       m_bindings(context, kLayout, sizeof(Dispatch)),
       m_path(context, settings.pathShader.empty() ? spirv::kPath : settings.pathShader, m_bindings,
-             specialise(effects, settings, scene.stackDepth)),
-      m_commit(context, spirv::kCommit, m_bindings, {}),
+             specialise(source, effects, settings, scene.stackDepth)),
+      m_commit(context, spirv::kCommit, m_bindings,
+               {{static_cast<std::uint32_t>(Effect::KindImages), effects.has(Effect::KindImages) ? 1U : 0U}}),
       m_constantsBuffer(context, "frame constants", sizeof(FrameConstants),
                         vk::BufferUsageFlagBits::eUniformBuffer, gpu::MemoryKind::Host),
       m_countersBuffer(context, "counters", sizeof(Counters), vk::BufferUsageFlagBits::eStorageBuffer,
                        gpu::MemoryKind::Host),
-      m_film(context, settings.width, settings.height) {
+      m_film(context, settings.width, settings.height),
+      m_kinds(context, settings.width, settings.height, effects.has(Effect::KindImages)) {
   m_constantsBuffer.write(context, std::as_bytes(std::span{&m_constants, 1}));
   m_bindings.bind(context, kBindingFrame, m_constantsBuffer, DescriptorType::eUniformBuffer);
   m_bindings.bind(context, kBindingNodes, scene.nodes);
@@ -79,7 +86,11 @@ Integrator::Integrator(const gpu::Context& context, const DeviceScene& scene, co
   m_bindings.bind(context, kBindingMaterials, scene.materials);
   m_bindings.bind(context, kBindingLights, scene.lights);
   m_bindings.bind(context, kBindingCounters, m_countersBuffer, DescriptorType::eStorageBuffer);
+  m_bindings.bind(context, kBindingUvs, scene.uvs);
+  m_bindings.bind(context, kBindingTextures, scene.textures);
+  m_bindings.bind(context, kBindingEnvironment, scene.environment);
   m_film.bind(context, m_bindings);
+  m_kinds.bind(context, m_bindings);
   reserveSlots(kBlockPixels);
 }
 
@@ -89,7 +100,8 @@ void Integrator::reserveSlots(std::uint32_t slots) {
   if (slots <= m_slots)
     return;
   m_slots = std::bit_ceil(slots);
-  const vk::DeviceSize bytes = vk::DeviceSize{m_slots} * kPathPlanes * sizeof(Texel);
+  const std::uint32_t planes = kPathPlanes + m_settings.estimator.splitDepth * kBranchPlanes;
+  const vk::DeviceSize bytes = vk::DeviceSize{m_slots} * planes * sizeof(Texel);
   m_paths = gpu::Buffer(m_context, "path states", bytes, vk::BufferUsageFlagBits::eStorageBuffer,
                         gpu::MemoryKind::Device);
   m_slotLists = gpu::Buffer(m_context, "slot lists", vk::DeviceSize{m_slots} * 2 * sizeof(std::uint32_t),
@@ -150,6 +162,18 @@ std::uint64_t Integrator::renderTile(const Tile& tile, std::uint64_t firstSample
   const std::uint64_t samples = std::uint64_t{job.slotCount} * count;
   m_counters.samples += samples;
   return samples;
+}
+
+void Integrator::clear() {
+  m_film.clear(m_context);
+  m_kinds.clear(m_context);
+}
+
+std::vector<std::vector<Vec3d>> Integrator::kindImages(const Film& film) const {
+  std::vector<std::uint64_t> samples;
+  for (const PixelMoments& pixel : film.pixels)
+    samples.push_back(pixel.count);
+  return m_kinds.download(m_context, samples);
 }
 
 void Integrator::warmUp() {

@@ -5,6 +5,7 @@
 #include "device/effects.h"
 #include "gpu/compute_pipeline.h"
 #include "render/device_film.h"
+#include "render/device_kinds.h"
 #include "shared/structs.h"
 
 namespace vkpt {
@@ -53,12 +54,14 @@ public:
   std::uint64_t renderTile(const Tile& tile, std::uint64_t firstSample, std::uint32_t count);
   /// Makes the driver compile what it compiles at the first use.
   void warmUp();
-  void clear() { m_film.clear(m_context); }
+  void clear();
 
   [[nodiscard]] Film film() const { return m_film.download(m_context); }
+  /// Mean radiance of each kind of light path, by pixel; empty unless settings.estimator.kindImages.
+  [[nodiscard]] std::vector<std::vector<Vec3d>> kindImages(const Film& film) const;
   [[nodiscard]] const RunCounters& counters() const { return m_counters; }
   [[nodiscard]] const IntegratorSettings& settings() const { return m_settings; }
-  [[nodiscard]] std::uint64_t filmBytes() const { return m_film.bytes(); }
+  [[nodiscard]] std::uint64_t filmBytes() const { return m_film.bytes() + m_kinds.bytes(); }
 
 private:
   void reserveSlots(std::uint32_t slots);
@@ -77,6 +80,7 @@ private:
   gpu::Buffer m_slotLists;
   std::uint32_t m_slots = 0;
   DeviceFilm m_film;
+  DeviceKinds m_kinds;
   RunCounters m_counters;
 };
 

@@ -64,6 +64,7 @@ void SceneAssembler::add(const SceneText& source) {
   if (mesh.normals.empty()) {
     smooth(source, mesh, triangles);
   }
+  layTextures(source, mesh, file, triangles);
   append(mesh, std::move(triangles));
   m_files.push_back(std::move(file));
   m_scene.name.append(m_scene.name.empty() ? "" : "+").append(stem(source));
@@ -120,6 +121,7 @@ std::vector<Triangle> SceneAssembler::cutFaces(const SceneText& source, const Ob
         const ObjCorner& corner = corners[t[i]];
         triangle.vertex[i] = corner.vertex;
         triangle.normal[i] = corner.normal;
+        triangle.uv[i] = corner.uv;
         hasNormals = hasNormals && corner.normal != kNoNormal && mesh.normals[corner.normal] != Vec3d(0.0);
       }
       if (!hasNormals) {
@@ -141,13 +143,41 @@ void SceneAssembler::smooth(const SceneText& source, ObjMesh& mesh, std::vector<
   }
 }
 
+/// Texture coordinates where there is a texture, and nowhere else.
+void SceneAssembler::layTextures(const SceneText& source, ObjMesh& mesh, const File& file,
+                                 std::vector<Triangle>& triangles) {
+  const auto zero = static_cast<std::uint32_t>(mesh.uvs.size());
+  std::size_t missing = 0;
+  std::size_t firstLine = 0;
+  for (std::size_t i = 0; i < triangles.size(); ++i) {
+    Triangle& t = triangles[i];
+    if (m_scene.materials[t.material].texture == kNoTexture) {
+      t.uv = {kNoUv, kNoUv, kNoUv};
+    } else if (std::ranges::find(t.uv, kNoUv) != t.uv.end()) {
+      t.uv = {zero, zero, zero};
+      if (missing++ == 0) {
+        firstLine = file.lines[i];
+      }
+    }
+  }
+  if (missing > 0) {
+    mesh.uvs.emplace_back(0.0F);
+    m_report.warnings.push_back(
+        fmt::format("{}: {} triangle{} with a texture but no texture coordinates{}; taken as 0 0",
+                    SourceLocation{source.name, firstLine}.text(), missing, missing == 1 ? "" : "s",
+                    missing == 1 ? "" : ", the first here"));
+  }
+}
+
 void SceneAssembler::append(const ObjMesh& mesh, std::vector<Triangle> triangles) {
   if (m_world.size() + mesh.positions.size() >= kNoNormal ||
-      m_scene.normals.size() + mesh.normals.size() >= kNoNormal) {
+      m_scene.normals.size() + mesh.normals.size() >= kNoNormal ||
+      m_scene.uvs.size() + mesh.uvs.size() >= kNoUv) {
     throw SceneError({m_scene.name}, "more than 2^32 vertices; split the scene");
   }
   Compactor vertices(mesh.positions.size());
   Compactor normals(mesh.normals.size());
+  Compactor uvs(mesh.uvs.size());
   const auto appendVertex = [&](std::uint32_t i) {
     m_world.push_back(mesh.positions[i]);
     return static_cast<std::uint32_t>(m_world.size() - 1);
@@ -156,10 +186,15 @@ void SceneAssembler::append(const ObjMesh& mesh, std::vector<Triangle> triangles
     m_scene.normals.emplace_back(mesh.normals[i]);
     return static_cast<std::uint32_t>(m_scene.normals.size() - 1);
   };
+  const auto appendUv = [&](std::uint32_t i) {
+    m_scene.uvs.push_back(mesh.uvs[i]);
+    return static_cast<std::uint32_t>(m_scene.uvs.size() - 1);
+  };
   for (Triangle& t : triangles) {
     for (std::size_t i = 0; i < 3; ++i) {
       t.vertex[i] = vertices(t.vertex[i], appendVertex);
       t.normal[i] = t.normal[i] == kNoNormal ? kNoNormal : normals(t.normal[i], appendNormal);
+      t.uv[i] = t.uv[i] == kNoUv ? kNoUv : uvs(t.uv[i], appendUv);
     }
     m_scene.triangles.push_back(t);
   }

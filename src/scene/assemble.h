@@ -16,7 +16,7 @@ namespace vkpt {
 
 class SceneAssembler {
 public:
-  explicit SceneAssembler(SceneReport& report) : m_report(report), m_materials(m_scene.materials, report) {}
+  explicit SceneAssembler(SceneReport& report) : m_report(report), m_materials(m_scene, report) {}
 
   /// Reads, places and triangulates one text.
   void add(const SceneText& source);
@@ -34,6 +34,8 @@ private:
   void applyPlacement(const SceneText& source, ObjMesh& mesh);
   std::vector<Triangle> cutFaces(const SceneText& source, const ObjMesh& mesh, File& file);
   void smooth(const SceneText& source, ObjMesh& mesh, std::vector<Triangle>& triangles);
+  void layTextures(const SceneText& source, ObjMesh& mesh, const File& file,
+                   std::vector<Triangle>& triangles);
   void append(const ObjMesh& mesh, std::vector<Triangle> triangles);
   void dropDegenerate();
   void note(std::string text);

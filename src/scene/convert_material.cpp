@@ -13,10 +13,17 @@ namespace {
 constexpr double kDefaultAlbedo = 0.8;
 constexpr double kDefaultIor = 1.5;
 constexpr int kDefaultIllum = 2;
+// No exponent is known to be the framework's: the widest lobe, with a warning.
+constexpr double kDefaultExponent = 0.0;
 
 // Squares of the index, and of its inverse, are to stay in the range of float.
 constexpr double kLeastIor = 1e-6;
 constexpr double kLargestIor = 1e6;
+constexpr double kLargestExponent = 1e6;
+// Per unit of length: nothing is left after a millionth of that, and products with lengths stay finite.
+constexpr double kLargestAbsorption = 1e6;
+// Sums that are 1 in decimals are to count as 1.
+constexpr double kRounding = 1e-9;
 
 double largest(const Vec3d& colour) { return std::max({colour.x, colour.y, colour.z}); }
 
@@ -26,7 +33,8 @@ std::string colourText(const Vec3d& c) {
 
 class Converter {
 public:
-  Converter(const MtlMaterial& mtl, SceneReport& report) : m_mtl(mtl), m_report(report) {}
+  Converter(const MtlMaterial& mtl, TextureTable& textures, SceneReport& report)
+      : m_mtl(mtl), m_textures(textures), m_report(report) {}
 
   Material run() {
     m_out.name = m_mtl.name;
@@ -42,9 +50,11 @@ private:
     m_report.warnings.push_back(fmt::format("{}: material '{}': {}", where.text(), shown(m_mtl.name), what));
   }
 
+  [[nodiscard]] Vec3d albedo() const { return m_mtl.kd.value_or(Vec3d(kDefaultAlbedo)); }
+
   Vec3d emission() {
     const Vec3d ka = m_mtl.ka.value_or(Vec3d(0.0));
-    const Vec3d kd = m_mtl.kd.value_or(Vec3d(kDefaultAlbedo));
+    const Vec3d kd = albedo();
     if (m_mtl.ke && largest(*m_mtl.ke) > 0.0) {
       return *m_mtl.ke;
     }
@@ -69,12 +79,10 @@ private:
     switch (model->shader) {
     case MtlShader::Phong:
       if (largest(m_mtl.ks.value_or(Vec3d(0.0))) > 0.0) {
-        warn(m_mtl.illumLine,
-             fmt::format("illum {} with Ks above 0 has Phong highlights, which are not rendered; "
-                         "taken as diffuse",
-                         illum));
+        makePhong(*m_mtl.ks);
+      } else {
+        makeDiffuse();
       }
-      makeDiffuse();
       break;
     case MtlShader::Diffuse:
       makeDiffuse();
@@ -84,9 +92,8 @@ private:
       m_out.reflectance = Vec3f(1.0F);
       break;
     case MtlShader::Absorbing:
-      warn(m_mtl.illumLine,
-           fmt::format("illum {} absorbs light, which is not rendered; taken as clear glass", illum));
       makeDielectric();
+      absorb();
       break;
     case MtlShader::Dielectric:
       makeDielectric();
@@ -95,15 +102,61 @@ private:
       makeMetal();
       break;
     }
+    const bool textured = m_out.bsdf == BsdfType::Diffuse || m_out.bsdf == BsdfType::Phong;
+    if (m_mtl.mapKd && !textured) {
+      warn(m_mtl.mapKd->where.line, fmt::format("illum {} has no texture; map_Kd is not used", illum));
+    }
   }
 
   void makeDiffuse() {
-    const Vec3d kd = m_mtl.kd.value_or(Vec3d(kDefaultAlbedo));
-    if (largest(kd) > 1.0) {
-      warn(0, fmt::format("Kd {} is above 1: it reflects more light than it gets; kept", colourText(kd)));
-    }
     m_out.bsdf = BsdfType::Diffuse;
+    const Vec3d most = colour();
+    if (largest(most) > 1.0) {
+      warn(0, fmt::format("{} {} is above 1: it reflects more light than it gets; kept", kdName(),
+                          colourText(most)));
+    }
+  }
+
+  void makePhong(const Vec3d& ks) {
+    const double ns = m_mtl.ns.value_or(kDefaultExponent);
+    if (!(ns >= 0.0 && ns <= kLargestExponent)) {
+      throw SceneError({m_mtl.where.file, m_mtl.nsLine},
+                       fmt::format("material '{}': Ns {} is no exponent; give 0 to {:g}", shown(m_mtl.name),
+                                   ns, kLargestExponent));
+    }
+    if (!m_mtl.ns) {
+      warn(0,
+           fmt::format("a Phong lobe (Ks above 0) without Ns; its exponent is taken as {}", shortNumber(ns)));
+    }
+    m_out.bsdf = BsdfType::Phong;
+    m_out.specular = Vec3f(ks);
+    m_out.exponent = static_cast<float>(ns);
+    const Vec3d most = colour();
+    if (largest(most + ks) > 1.0 + kRounding) {
+      warn(0, fmt::format("{} {} and Ks {} add up to more than 1: it gains energy; kept", kdName(),
+                          colourText(most), colourText(ks)));
+    }
+  }
+
+  [[nodiscard]] std::string_view kdName() const {
+    return m_out.texture == kNoTexture ? "Kd" : "Kd times map_Kd";
+  }
+
+  /// Sets what Kd and map_Kd make together, and returns its largest value in each channel.
+  Vec3d colour() {
+    const Vec3d kd = albedo();
     m_out.reflectance = Vec3f(kd);
+    TextureTable::Entry* image = m_mtl.mapKd ? m_textures.open(*m_mtl.mapKd) : nullptr;
+    if (image == nullptr) {
+      return kd;
+    }
+    const Vec3d most = kd * Vec3d(image->most);
+    if (kd * Vec3d(image->least) == most) {
+      m_out.reflectance = Vec3f(most);
+    } else {
+      m_out.texture = m_textures.use(*image);
+    }
+    return most;
   }
 
   void makeDielectric() {
@@ -118,6 +171,24 @@ private:
     m_out.reflectance = Vec3f(1.0F);
     m_out.intIor = static_cast<float>(ni);
     m_out.extIor = 1.0F;
+  }
+
+  /// What is left after the distance d is exp(-(1 / Kd - 1) d).
+  void absorb() {
+    const Vec3d kd = albedo();
+    if (largest(kd) > 1.0) {
+      warn(0, fmt::format("Kd {} of glass that absorbs is above 1; taken as 1, which absorbs nothing",
+                          colourText(kd)));
+    }
+    if (1.0 / std::min({kd.x, kd.y, kd.z}) - 1.0 > kLargestAbsorption) {
+      warn(0, fmt::format(
+                  "Kd {} of glass that absorbs lets no light pass where it is 0; taken as an absorption of "
+                  "{:g} per unit of length",
+                  colourText(kd), kLargestAbsorption));
+    }
+    for (int c = 0; c < 3; ++c) {
+      m_out.absorption[c] = static_cast<float>(std::clamp(1.0 / kd[c] - 1.0, 0.0, kLargestAbsorption));
+    }
   }
 
   void makeMetal() {
@@ -140,12 +211,15 @@ private:
   }
 
   const MtlMaterial& m_mtl;
+  TextureTable& m_textures;
   SceneReport& m_report;
   Material m_out;
 };
 
 } // namespace
 
-Material convertMaterial(const MtlMaterial& mtl, SceneReport& report) { return Converter(mtl, report).run(); }
+Material convertMaterial(const MtlMaterial& mtl, TextureTable& textures, SceneReport& report) {
+  return Converter(mtl, textures, report).run();
+}
 
 } // namespace vkpt

@@ -8,9 +8,10 @@
 
 namespace vkpt {
 
-/// Loads all `files` as ONE scene. A name that is no file but a built-in scene (`builtinScenes()`) loads
-/// that; an empty span loads the built-in Cornell box with blocks. Throws SceneError (file:line, what, what
-/// would be right). Warnings go into `report`; the caller decides whether they are errors (`--strict`).
+/// Loads all `files` as ONE scene: .obj files, or a single Nori .xml file. A name that is no file but a
+/// built-in scene (`builtinScenes()`) loads that; an empty span loads the built-in Cornell box with blocks.
+/// Throws SceneError (file:line, what, what would be right). Warnings go into `report`; the caller decides
+/// whether they are errors (`--strict`).
 Scene loadScene(std::span<const fs::path> files, SceneReport& report);
 
 struct BuiltinScene {

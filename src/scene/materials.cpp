@@ -82,14 +82,11 @@ std::uint32_t MaterialTable::lookUp(const std::vector<Library*>& libraries, cons
       const MtlMaterial& mtl = lib->materials[found->second];
       for (const UnreadKey& unread : mtl.unread) {
         if (m_unreadKeys.insert(unread.name).second) {
-          m_report.warnings.push_back(fmt::format(
-              "{}: {}", SourceLocation{mtl.where.file, unread.line}.text(),
-              unread.key == nullptr
-                  ? fmt::format("'{}' is no MTL key that vkpt knows; left out", shown(unread.name))
-                  : fmt::format("{} ({}): {}", unread.name, unread.key->meaning, unread.key->mapping)));
+          m_report.warnings.push_back(
+              fmt::format("{}: {}", SourceLocation{mtl.where.file, unread.line}.text(), unread.warning));
         }
       }
-      index = add(convertMaterial(mtl, m_report));
+      index = add(convertMaterial(mtl, m_textures, m_report));
     }
     return *index;
   }

@@ -5,6 +5,7 @@
 #include "scene/obj_reader.h"
 #include "scene/scene.h"
 #include "scene/sources.h"
+#include "scene/texture_table.h"
 
 #include <cstdint>
 #include <map>
@@ -19,8 +20,9 @@ namespace vkpt {
 /// Only what a face uses enters the scene and can warn: libraries often define more than that.
 class MaterialTable {
 public:
-  MaterialTable(std::vector<Material>& materials, SceneReport& report)
-      : m_materials(materials), m_report(report) {}
+  /// Fills the materials and the textures of `scene`.
+  MaterialTable(Scene& scene, SceneReport& report)
+      : m_materials(scene.materials), m_textures(scene.textures, report), m_report(report) {}
 
   /// For every entry of `mesh.materials` that a face uses its index in the scene, for the others 0.
   std::vector<std::uint32_t> resolve(const SceneText& source, const ObjMesh& mesh);
@@ -41,6 +43,7 @@ private:
   std::uint32_t add(Material material);
 
   std::vector<Material>& m_materials;
+  TextureTable m_textures;
   SceneReport& m_report;
   std::map<std::string, Library> m_libraries; ///< by the text's name; several OBJ files may share one
   std::set<std::string> m_unreadKeys;         ///< already warned about
@@ -48,6 +51,7 @@ private:
 };
 
 /// The Material that `mtl` means, by the tables of mtl_table.h; says in `report` where it had to guess.
-Material convertMaterial(const MtlMaterial& mtl, SceneReport& report);
+/// Throws SceneError at a number that its shader cannot take.
+Material convertMaterial(const MtlMaterial& mtl, TextureTable& textures, SceneReport& report);
 
 } // namespace vkpt

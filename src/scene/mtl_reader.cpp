@@ -2,6 +2,7 @@
 
 #include "scene/names.h"
 #include "scene/statements.h"
+#include "scene/texture_arguments.h"
 #include "scene/tinyobj.h"
 
 #include <algorithm>
@@ -58,12 +59,16 @@ private:
       m_warnings.push_back(
           fmt::format("{}: '{}' before the first newmtl is left out", here().text(), shown(name)));
     } else if (key == nullptr) {
-      m_materials.back().unread.push_back({nullptr, std::string(name), m_statement.line});
+      leaveOut(std::string(name), fmt::format("'{}' is no MTL key that vkpt knows; left out", shown(name)));
     } else if (key->use == MtlUse::Read) {
       scanRead(*key);
     } else if (key->use == MtlUse::Ignored && !isNeutral(*key)) {
-      m_materials.back().unread.push_back({key, std::string(name), m_statement.line});
+      leaveOut(std::string(name), fmt::format("{} ({}): {}", name, key->meaning, key->mapping));
     }
+  }
+
+  void leaveOut(std::string name, std::string warning) {
+    m_materials.back().unread.push_back({std::move(name), std::move(warning), m_statement.line});
   }
 
   void startMaterial() {
@@ -82,6 +87,10 @@ private:
   }
 
   void scanRead(const MtlKey& key) {
+    if (key.value == MtlValue::Text) {
+      scanTexture(key);
+      return;
+    }
     splitWords(m_statement.arguments(), m_words);
     if (key.value == MtlValue::Integer) {
       scanIllum();
@@ -106,6 +115,19 @@ private:
     note(key.key);
   }
 
+  void scanTexture(const MtlKey& key) {
+    TextureArguments arguments = parseTextureArguments(m_statement.arguments());
+    for (const std::string_view option : arguments.unusedOptions) {
+      const std::string name = fmt::format("{} {}", key.key, option);
+      leaveOut(name, fmt::format("{}: this option is not used", name));
+    }
+    if (arguments.file.empty()) {
+      leaveOut(std::string(key.key), fmt::format("{} names no file; left out", key.key));
+      return;
+    }
+    m_materials.back().mapKd = {std::move(arguments.file), m_source.folder, here()};
+  }
+
   void scanIllum() {
     const auto illum = m_words.empty() ? std::nullopt : parseInteger(m_words[0]);
     if (!illum) {
@@ -125,7 +147,7 @@ private:
     if (!std::isfinite(*value)) {
       fail(fmt::format("{} is '{}', which is not finite; give a number", key.key, shown(word)));
     }
-    // Of a number (Ni) the shader decides: silver's files give one that means nothing, others a 0.
+    // Of a number (Ni, Ns) the shader decides: silver's files give one that means nothing, others a 0.
     if (key.value == MtlValue::Colour && *value < 0.0) {
       fail(fmt::format("{} is negative ({}); give 0 or above", key.key, shown(word)));
     }
@@ -157,6 +179,9 @@ private:
     } else if (key == "Ni") {
       m.ni.emplace();
       m.niLine = m_statement.line;
+    } else if (key == "Ns") {
+      m.ns.emplace();
+      m.nsLine = m_statement.line;
     } else if (key == "illum") {
       m.illum.emplace();
       m.illumLine = m_statement.line;
@@ -175,6 +200,9 @@ private:
     take(m.ke, vectorOf(values.emission));
     if (m.ni) {
       m.ni = values.ior;
+    }
+    if (m.ns) {
+      m.ns = values.shininess;
     }
     if (m.illum) {
       m.illum = values.illum;

@@ -12,11 +12,18 @@
 
 namespace vkpt {
 
-/// A key that a material gives and vkpt does not read; `key` is null where the table does not have it.
+/// A key, or an option of one, that a material gives and vkpt does not read.
 struct UnreadKey {
-  const MtlKey* key = nullptr;
   std::string name;
+  std::string warning;
   std::size_t line = 0;
+};
+
+/// An image file that a material names.
+struct MtlTexture {
+  std::string file; ///< as it is written
+  fs::path folder;  ///< what `file` is relative to
+  SourceLocation where;
 };
 
 /// What stands between one `newmtl` and the next; nothing where a key is absent.
@@ -24,11 +31,13 @@ struct MtlMaterial {
   std::string name;
   SourceLocation where;
   std::optional<Vec3d> kd, ks, ka, ke; ///< finite, not negative
-  std::optional<double> ni;            ///< finite
+  std::optional<double> ni, ns;        ///< finite
+  std::optional<MtlTexture> mapKd;
   std::optional<int> illum;
   std::size_t kaLine = 0;
   std::size_t illumLine = 0;
   std::size_t niLine = 0;
+  std::size_t nsLine = 0;
   std::vector<UnreadKey> unread;
 };
 

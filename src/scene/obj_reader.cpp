@@ -4,6 +4,7 @@
 #include "scene/statements.h"
 #include "scene/tinyobj.h"
 
+#include <algorithm>
 #include <cmath>
 #include <istream>
 #include <span>
@@ -16,6 +17,8 @@ namespace vkpt {
 namespace {
 
 namespace tiny = ::vkpt_tinyobj;
+
+static_assert(kNoNormal == kNoUv, "both are what a corner leaves out");
 
 /// What an index counts, for messages.
 struct Kind {
@@ -42,8 +45,8 @@ public:
     callbacks.normal_cb = [](void* self, double x, double y, double z) {
       static_cast<ObjBuilder*>(self)->addNormal({x, y, z});
     };
-    callbacks.texcoord_cb = [](void* self, double, double, double) {
-      ++static_cast<ObjBuilder*>(self)->m_texcoordCount;
+    callbacks.texcoord_cb = [](void* self, double u, double v, double) {
+      static_cast<ObjBuilder*>(self)->addUv(u, v);
     };
     callbacks.index_cb = [](void* self, tiny::index_t* indices, int count) {
       static_cast<ObjBuilder*>(self)->addFace({indices, static_cast<std::size_t>(count)});
@@ -56,31 +59,58 @@ public:
     stream.exceptions(std::ios::badbit);
     tiny::LoadObjWithCallback(stream, callbacks, this);
     checkRanges();
-    if (m_badNormalCount > 0) {
-      warnings.push_back(
-          fmt::format("{}: {} normal{} zero or not finite, the first here; faces with them get "
-                      "their geometric normal",
-                      SourceLocation{m_source.name, m_firstBadNormal}.text(), m_badNormalCount,
-                      m_badNormalCount == 1 ? " is" : "s are"));
-    }
+    warn(warnings, m_badNormals, "normal",
+         "zero or not finite, the first here; faces with them get their geometric normal");
+    warn(warnings, m_badUvs, "texture coordinate",
+         "not finite or beyond the range of float, the first here; taken as 0 0");
     return std::move(m_mesh);
   }
 
 private:
+  /// Values that no face can use.
+  struct Bad {
+    std::size_t count = 0;
+    std::size_t firstLine = 0;
+
+    void add(std::size_t line) {
+      if (count++ == 0) {
+        firstLine = line;
+      }
+    }
+  };
+
+  void warn(std::vector<std::string>& warnings, const Bad& bad, std::string_view one, std::string_view what) {
+    if (bad.count > 0) {
+      warnings.push_back(fmt::format("{}: {} {}{} {}", SourceLocation{m_source.name, bad.firstLine}.text(),
+                                     bad.count, one, bad.count == 1 ? " is" : "s are", what));
+    }
+  }
+
   [[nodiscard]] std::size_t line() const { return m_buffer.current().line; }
 
+  /// tinyobjloader reads `nan` and `inf` as 0.
+  [[nodiscard]] bool namesNoNumber() const {
+    return m_buffer.current().arguments().find_first_of("nNiI") != std::string_view::npos;
+  }
+
+  void addUv(double u, double v) {
+    const bool good = !namesNoNumber() && std::max(std::abs(u), std::abs(v)) <= kLargestCoordinate;
+    if (!good) {
+      m_badUvs.add(line());
+    }
+    m_mesh.uvs.push_back(good ? Vec2f(u, v) : Vec2f(0.0F));
+  }
+
   void addNormal(const Vec3d& n) {
-    // tinyobjloader reads `nan` and `inf` as 0.
-    const bool named = m_buffer.current().arguments().find_first_of("nNiI") != std::string_view::npos;
     const double length = glm::length(n);
-    const bool good = !named && length > 0.0 && std::isfinite(length);
-    if (!good && m_badNormalCount++ == 0) {
-      m_firstBadNormal = line();
+    const bool good = !namesNoNumber() && length > 0.0 && std::isfinite(length);
+    if (!good) {
+      m_badNormals.add(line());
     }
     m_mesh.normals.push_back(good ? n / length : Vec3d(0.0));
   }
 
-  /// OBJ counts from 1, and from -1 backwards; 0 is tinyobjloader's "left out".
+  /// OBJ counts from 1, and from -1 backwards; 0 is tinyobjloader's "left out": kNoNormal, kNoUv.
   std::uint32_t resolve(int index, std::size_t count, const Kind& kind) const {
     if (index == 0) {
       return kNoNormal;
@@ -103,12 +133,8 @@ private:
                             static_cast<std::uint32_t>(line())});
     for (const tiny::index_t& i : indices) {
       m_mesh.corners.push_back({resolve(i.vertex_index, m_mesh.positions.size(), kVertex),
-                                resolve(i.normal_index, m_mesh.normals.size(), kNormal)});
-      const std::uint32_t texcoord = resolve(i.texcoord_index, m_texcoordCount, kTexcoord);
-      if (texcoord != kNoNormal && (m_largestTexcoord == kNoNormal || texcoord > m_largestTexcoord)) {
-        m_largestTexcoord = texcoord;
-        m_largestTexcoordLine = line();
-      }
+                                resolve(i.normal_index, m_mesh.normals.size(), kNormal),
+                                resolve(i.texcoord_index, m_mesh.uvs.size(), kTexcoord)});
     }
   }
 
@@ -130,10 +156,10 @@ private:
         if (corner.normal != kNoNormal) {
           checkRange(corner.normal, m_mesh.normals.size(), kNormal, face.line);
         }
+        if (corner.uv != kNoUv) {
+          checkRange(corner.uv, m_mesh.uvs.size(), kTexcoord, face.line);
+        }
       }
-    }
-    if (m_largestTexcoord != kNoNormal) {
-      checkRange(m_largestTexcoord, m_texcoordCount, kTexcoord, m_largestTexcoordLine);
     }
     if (m_mesh.faces.empty()) {
       throw SceneError({m_source.name}, fmt::format("no faces ({} vertices); give at least one 'f' line",
@@ -154,11 +180,8 @@ private:
   ObjMesh m_mesh;
   std::unordered_map<std::string, std::uint32_t> m_slots;
   std::uint32_t m_material = 0;
-  std::size_t m_texcoordCount = 0;
-  std::uint32_t m_largestTexcoord = kNoNormal;
-  std::size_t m_largestTexcoordLine = 0;
-  std::size_t m_badNormalCount = 0;
-  std::size_t m_firstBadNormal = 0;
+  Bad m_badNormals;
+  Bad m_badUvs;
 };
 
 } // namespace

@@ -15,6 +15,7 @@ namespace vkpt {
 struct ObjCorner {
   std::uint32_t vertex;
   std::uint32_t normal; ///< kNoNormal: the face has none here
+  std::uint32_t uv;     ///< kNoUv: the face has none here
 };
 
 struct ObjFace {
@@ -33,6 +34,7 @@ struct ObjMaterialUse {
 struct ObjMesh {
   std::vector<Vec3d> positions;          ///< finite
   std::vector<Vec3d> normals;            ///< unit length, or zero where the file's is none
+  std::vector<Vec2f> uvs;                ///< finite
   std::vector<ObjCorner> corners;        ///< indices in range
   std::vector<ObjFace> faces;            ///< at least one
   std::vector<ObjMaterialUse> materials; ///< each name once; the first stands for faces before any `usemtl`

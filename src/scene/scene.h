@@ -84,6 +84,7 @@ struct DirectionalLight {
 /// that the middle column lies in -z.
 struct EnvironmentMap {
   SourceLocation where;
+  fs::path file; ///< .hdr or .exr, whose pixels `radiance` is to hold; empty: there is none
   int width = 0; ///< 0: there is none
   int height = 0;
   std::vector<Vec3f> radiance; ///< rows from the top

@@ -59,8 +59,8 @@ std::string whatThereIs(std::string_view typed) {
       candidates.push_back(asset.name);
     }
   }
-  return fmt::format("a scene is an .obj file or one of the built-in {}{}", fmt::join(scenes, ", "),
-                     didYouMean(typed, candidates));
+  return fmt::format("a scene is an .obj file or a Nori .xml file, or one of the built-in {}{}",
+                     fmt::join(scenes, ", "), didYouMean(typed, candidates));
 }
 
 std::optional<std::string> readText(const fs::path& path) {
@@ -77,12 +77,13 @@ std::optional<std::string> readText(const fs::path& path) {
 SceneText openFile(const fs::path& path, fs::file_type type) {
   const std::string name = path.string();
   if (type == fs::file_type::directory) {
-    throw SceneError({name}, "is a folder; name an .obj file in it");
+    throw SceneError({name}, "is a folder; name an .obj file in it, or an .xml file");
   }
   if (type != fs::file_type::regular && type != fs::file_type::fifo) {
     throw SceneError({name}, "is no regular file; " + whatThereIs({}));
   }
-  if (lowerCase(path.extension().string()) != ".obj") {
+  const std::string extension = lowerCase(path.extension().string());
+  if (extension != ".obj" && extension != ".xml") {
     throw SceneError({name}, fmt::format("unknown extension '{}'; {}", path.extension().string(),
                                          whatThereIs(path.filename().string())));
   }
@@ -122,12 +123,16 @@ std::vector<SceneText> openScene(const fs::path& scene, std::vector<std::string>
   throw SceneError({name}, "no such file; " + whatThereIs(name));
 }
 
+fs::path pathBeside(const SceneText& from, const std::string& fileName) {
+  return (from.folder / fileName).lexically_normal();
+}
+
 std::optional<SceneText> openBeside(const SceneText& from, const std::string& fileName) {
   if (from.embedded) {
     const EmbeddedAsset* asset = findAsset(fileName);
     return asset == nullptr ? std::nullopt : std::optional(embeddedText(*asset));
   }
-  const fs::path path = (from.folder / fileName).lexically_normal();
+  const fs::path path = pathBeside(from, fileName);
   std::error_code error;
   if (!fs::is_regular_file(path, error)) {
     return std::nullopt;

@@ -33,6 +33,9 @@ std::vector<SceneText> openDefaultScene();
 /// is not there. Throws SceneError.
 std::vector<SceneText> openScene(const fs::path& scene, std::vector<std::string>& notes);
 
+/// Where a file that `from` names is, unless `from` is embedded.
+fs::path pathBeside(const SceneText& from, const std::string& fileName);
+
 /// A file that `from` names; nothing where there is none that can be read.
 std::optional<SceneText> openBeside(const SceneText& from, const std::string& fileName);
 

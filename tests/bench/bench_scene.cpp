@@ -21,8 +21,8 @@ Scene load(const SceneChoice& choice, int size) {
 
 DeviceBench::DeviceBench(const gpu::Context& context, const SceneChoice& choice, int size)
     : m_context(context), m_name(choice.name), m_scene(load(choice, size)), m_settings{{}, size, size, 0},
-      m_effects(detectEffects(m_scene, m_settings.estimator)), m_packed(packScene(m_scene)),
-      m_deviceScene(uploadScene(context, m_packed)),
+      m_effects(detectEffects(m_scene, m_settings.estimator)),
+      m_packed(packScene(m_scene, m_settings.estimator)), m_deviceScene(uploadScene(context, m_packed)),
       m_integrator(context, m_deviceScene, m_scene, m_effects,
                    {m_settings.estimator, size, size, m_settings.seed, {}, {}}) {
   m_integrator.warmUp();

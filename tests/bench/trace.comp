@@ -11,7 +11,7 @@
 
 layout(local_size_x = 64) in;
 
-layout(constant_id = 66) const uint kShadow = 0u; // 1: any hit before tMax, 0: closest hit
+layout(constant_id = 100) const uint kShadow = 0u; // 1: any hit before tMax, 0: closest hit
 
 layout(set = 0, binding = kBindingCount, rgba32ui) uniform readonly restrict uimageBuffer rayTexels;
 layout(set = 0, binding = kBindingCount + 1u, std430) buffer ResultBlock { float results[]; };

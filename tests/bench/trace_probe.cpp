@@ -15,7 +15,7 @@ using vk::DescriptorType;
 
 constexpr std::uint32_t kBindingRays = kBindingCount;
 constexpr std::uint32_t kBindingResults = kBindingCount + 1;
-constexpr std::uint32_t kConstantShadow = 66;
+constexpr std::uint32_t kConstantShadow = 100;
 
 constexpr auto kLayout = std::to_array<gpu::BindingLayout>({
     {kBindingNodes, DescriptorType::eStorageTexelBuffer},

@@ -47,7 +47,7 @@ template<bool kRecord, class Use>
 void withProgram(const PackedScene& scene, const EmbreeScene& embree, const Scene& source,
                  const EffectSet& effects, const HostSettings& s, const Use& use) {
   const FrameConstants constants =
-      frameConstants(source, scene.lightCount, s.estimator, s.width, s.height, s.seed);
+      frameConstants(source, scene.lightChoice, s.estimator, s.width, s.height, s.seed);
   bool found = false;
   const auto attempt = [&]<std::uint64_t kBits>(std::integral_constant<std::uint64_t, kBits>) {
     if (!equals(effects, kBits))

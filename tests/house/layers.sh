@@ -7,15 +7,16 @@ cd "$1"
 
 diagram='
 core
+decode  core
 gpu     core
-scene   core
+scene   core decode
 accel   core
-film    core
-device  core gpu scene accel
-render  core gpu scene accel device film
-host    core scene accel film device
-study   core gpu scene accel device film render
-app     core gpu scene accel device film render host study
+film    core decode
+device  core decode gpu scene accel
+render  core decode gpu scene accel device film
+host    core decode scene accel film device
+study   core decode gpu scene accel device film render
+app     core decode gpu scene accel device film render host study
 '
 names=$(awk '{print $1}' <<<"$diagram")
 bad=0

@@ -31,7 +31,7 @@ IntegratorSettings integratorSettings(const RenderSetup& setup) {
 } // namespace
 
 Studio::Studio(const gpu::Context& context, const Scene& scene, const RenderSetup& setup)
-    : m_setup(setup), m_scene(uploadScene(context, packScene(scene, 1))),
+    : m_setup(setup), m_scene(uploadScene(context, packScene(scene, setup.estimator, 1))),
       m_integrator(std::make_unique<Integrator>(context, m_scene, scene,
                                                 setup.effects.value_or(detectEffects(scene, setup.estimator)),
                                                 integratorSettings(setup))) {}

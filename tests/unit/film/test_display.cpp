@@ -1,8 +1,8 @@
 // From radiance to the bytes of a PNG, and back.
 
+#include "decode/stb.h"
 #include "film/codecs.h"
 #include "film/display.h"
-#include "film/stb.h"
 #include "unit/film/film_fixtures.h"
 
 #include <cmath>
@@ -19,7 +19,7 @@ std::vector<int> bytesOf(const std::vector<float>& reds, const DisplaySettings& 
   Image image(static_cast<int>(reds.size()), 1, {"R", "G", "B"});
   image.channels[0].values = reds;
   writeImage(folder / "x.png", image, display, {});
-  const film::DecodedPng png = film::stbDecodePng(film::readWholeFile(folder / "x.png"));
+  const decode::Samples png = decode::stbDecode(film::readWholeFile(folder / "x.png"));
   std::vector<int> bytes;
   for (std::size_t i = 0; i < reds.size(); ++i) {
     bytes.push_back(png.rgb[3 * i] / 257);

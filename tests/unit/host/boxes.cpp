@@ -13,7 +13,7 @@ CornellScene cornellBox(const std::string& name, int size, std::uint32_t seed) {
   box.scene = loadScene(name == "blocks" ? blocks : spheres, report);
   box.settings = {{}, size, size, seed};
   box.effects = detectEffects(box.scene, box.settings.estimator);
-  box.packed = packScene(box.scene, 1);
+  box.packed = packScene(box.scene, {}, 1);
   return box;
 }
 

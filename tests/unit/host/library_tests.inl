@@ -209,7 +209,8 @@ Vec3 throughGlass(Stage& stage, const Incidence& at, Float m, bool front, uint b
   Library::Material glass;
   glass.bsdf = kBsdfDielectric;
   glass.ior = m;
-  return stage.lib.sampleDielectric(glass, at.wo, at.n, at.n, front, stage.lib.toUnit(bits)).wi;
+  const auto branches = stage.lib.dielectricBranches(glass, at.wo, at.n, at.n, front);
+  return stage.lib.sampleDielectric(branches, stage.lib.toUnit(bits)).wi;
 }
 
 TEST(SUITE(Glass), DirectionsObeySnell) {

@@ -12,7 +12,7 @@ PackedScene packTriangles(std::span<const Corners> triangles) {
     t.vertex = {first, first + 1, first + 2};
     scene.triangles.push_back(t);
   }
-  return packScene(scene, 1);
+  return packScene(scene, {}, 1);
 }
 
 PackedScene oneTriangle() {

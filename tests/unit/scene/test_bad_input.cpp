@@ -110,6 +110,12 @@ const std::vector<BadText> kBadMtl{
     {"GlassOfIndexZero", kUse, "newmtl a\nillum 4\nNi 0\n",
      "scene.mtl:3: material 'a': Ni 0 is no index of refraction"},
     {"GlassOfNegativeIndex", kUse, "newmtl a\nillum 4\nNi -1.5\n", "scene.mtl:3: material 'a': Ni -1.5"},
+    {"ExponentNegative", kUse, "newmtl a\nKs 1 1 1\nNs -1\nillum 2\n",
+     "scene.mtl:3: material 'a': Ns -1 is no exponent; give 0 to 1e+06"},
+    {"ExponentHuge", kUse, "newmtl a\nKs 1 1 1\nNs 1000001\nillum 2\n",
+     "scene.mtl:3: material 'a': Ns 1000001 is no exponent"},
+    {"ExponentNoNumber", kUse, "newmtl a\nNs shiny\n",
+     "scene.mtl:2: 'shiny' is no number; Ns needs a number"},
     {"IndexInfinite", kUse, "newmtl a\nNi inf\n", "scene.mtl:2: Ni is 'inf', which is not finite"},
 };
 
@@ -123,11 +129,14 @@ void expectError(const fs::path& file, const std::string& expected) {
 }
 
 TEST(BadFile, MissingNamesTheFileAndTheNearestScene) {
-  expectError("/nowhere/scene.obj",
-              "/nowhere/scene.obj: no such file; a scene is an .obj file or one of the built-in "
-              "cornell, cornell-spheres");
-  expectError("corNel", "corNel: no such file; a scene is an .obj file or one of the built-in cornell, "
-                        "cornell-spheres, did you mean 'cornell'?");
+  expectError(
+      "/nowhere/scene.obj",
+      "/nowhere/scene.obj: no such file; a scene is an .obj file or a Nori .xml file, or one of the built-in "
+      "cornell, cornell-spheres");
+  expectError(
+      "corNel",
+      "corNel: no such file; a scene is an .obj file or a Nori .xml file, or one of the built-in cornell, "
+      "cornell-spheres, did you mean 'cornell'?");
   expectError("cornell-sphere", "did you mean 'cornell-spheres'?");
   expectError("CornelBox.obj", "did you mean 'CornellBox.obj'?");
   expectError("", "no such file");
@@ -135,13 +144,14 @@ TEST(BadFile, MissingNamesTheFileAndTheNearestScene) {
 
 TEST(BadFile, Folder) {
   const TempFolder folder;
-  expectError(folder.path(), folder.path().string() + ": is a folder; name an .obj file in it");
+  expectError(folder.path(),
+              folder.path().string() + ": is a folder; name an .obj file in it, or an .xml file");
 }
 
 TEST(BadFile, UnknownExtension) {
   const TempFolder folder;
   expectError(folder.write("scene.stl", "solid"),
-              "scene.stl: unknown extension '.stl'; a scene is an .obj file");
+              "scene.stl: unknown extension '.stl'; a scene is an .obj file or a Nori .xml file");
   expectError(folder.write("scene", "solid"), "scene: unknown extension ''");
   EXPECT_EQ(errorOf({folder.write("SCENE.OBJ", kSquare)}), "") << "extensions in any case";
 }

@@ -63,16 +63,76 @@ TEST(Illum, ChoosesTheShader) {
   EXPECT_EQ(materialOf("illum 4\n").intIor, 1.5F) << "Ni absent";
 }
 
-TEST(Illum, WhatIsNotRenderedYetWarns) {
+TEST(Illum, WithKsIsPhong) {
+  const auto [scene, report] = loadMaterial("Kd .25 .5 .125\nKs .5 .25 0\nNs 100.5\nillum 2\n");
+  const Material& phong = scene.materials[0];
+  EXPECT_EQ(phong.bsdf, BsdfType::Phong);
+  EXPECT_EQ(phong.reflectance, Vec3f(0.25F, 0.5F, 0.125F));
+  EXPECT_EQ(phong.specular, Vec3f(0.5F, 0.25F, 0.0F));
+  EXPECT_EQ(phong.exponent, 100.5F) << "as it is written";
+  EXPECT_TRUE(report.warnings.empty()) << report.warnings.front();
+  EXPECT_EQ(materialOf("Ks 0 0 .1\nNs 1\n").bsdf, BsdfType::Phong) << "illum absent: 2";
+  EXPECT_EQ(materialOf("Ks 1 1 1\nNs 1\nillum 1\n").bsdf, BsdfType::Diffuse);
+  const Material black = materialOf("Kd 0 0 0\nKs 0 0 0\nNs -1\nillum 2\n");
+  EXPECT_EQ(black.bsdf, BsdfType::Diffuse) << "whose Ns nobody asks for";
+  EXPECT_EQ(black.reflectance, Vec3f(0.0F));
+  EXPECT_EQ(black.specular, Vec3f(0.0F));
+}
+
+TEST(Illum, OfPhongExponents) {
+  EXPECT_EQ(materialOf("Ks 1 1 1\nNs 0\n").exponent, 0.0F);
+  EXPECT_EQ(materialOf("Ks 1 1 1\nNs 1e6\n").exponent, 1e6F);
+  const auto [scene, report] = loadMaterial("Kd 0 0 0\nKs 1 1 1\n");
+  EXPECT_EQ(scene.materials[0].exponent, 0.0F);
+  ASSERT_EQ(report.warnings.size(), 1U);
+  EXPECT_TRUE(
+      anyContains(report.warnings, "scene.mtl:1: material 'm': a Phong lobe (Ks above 0) without Ns"));
+}
+
+TEST(Illum, OfPhongThatGainsEnergyWarns) {
+  const auto [scene, report] = loadMaterial("Kd .5 .2 1\nKs 1 .8 0\nNs 2\n");
+  EXPECT_EQ(scene.materials[0].reflectance, Vec3f(0.5F, 0.2F, 1.0F));
+  EXPECT_EQ(scene.materials[0].specular, Vec3f(1.0F, 0.8F, 0.0F));
+  ASSERT_EQ(report.warnings.size(), 1U);
+  EXPECT_TRUE(anyContains(report.warnings, "Kd 0.5 0.2 1 and Ks 1 0.8 0 add up to more than 1"))
+      << report.warnings[0];
+  for (const char* sums : {"Kd .7 .6 .9\nKs .3 .4 .1\nNs 2\n", "Kd .1 .1 .1\nKs .9 .9 .9\nNs 2\n"}) {
+    EXPECT_TRUE(loadMaterial(sums).report.warnings.empty()) << "1 in decimals";
+  }
+}
+
+TEST(Illum, TwelveAbsorbs) {
+  const auto [scene, report] = loadMaterial("Kd 1 .5 .1\nNi 1.335\nillum 12\n");
+  const Material& wine = scene.materials[0];
+  EXPECT_EQ(wine.bsdf, BsdfType::Dielectric);
+  EXPECT_EQ(wine.intIor, 1.335F);
+  EXPECT_EQ(wine.reflectance, Vec3f(1.0F));
+  EXPECT_EQ(wine.absorption, Vec3f(0.0F, 1.0F, 9.0F)) << "1 / Kd - 1";
+  EXPECT_TRUE(report.warnings.empty());
+  EXPECT_EQ(materialOf("illum 12\n").absorption, Vec3f(0.25F)) << "Kd absent: 0.8";
+  EXPECT_EQ(materialOf("Kd .5 .5 .5\nillum 4\n").absorption, Vec3f(0.0F)) << "clear glass";
+}
+
+TEST(Illum, TwelveTakesAnyKd) {
+  const auto dark = loadMaterial("Kd 0 .5 1e-9\nillum 12\n");
+  EXPECT_EQ(dark.scene.materials[0].absorption, Vec3f(1e6F, 1.0F, 1e6F));
+  ASSERT_EQ(dark.report.warnings.size(), 1U);
+  EXPECT_TRUE(
+      anyContains(dark.report.warnings, "scene.mtl:1: material 'm': Kd 0 0.5 1e-09 of glass that absorbs"));
+  const auto bright = loadMaterial("Kd 2 1 .5\nillum 12\n");
+  EXPECT_EQ(bright.scene.materials[0].absorption, Vec3f(0.0F, 0.0F, 1.0F));
+  ASSERT_EQ(bright.report.warnings.size(), 1U);
+  EXPECT_TRUE(anyContains(bright.report.warnings, "is above 1; taken as 1, which absorbs nothing"));
+}
+
+TEST(Illum, WhatIsNotRenderedWarns) {
   struct Case {
     const char* body;
     BsdfType bsdf;
     const char* warning;
   };
   for (const Case& c :
-       {Case{"Ks .5 .5 .5\nillum 2\n", BsdfType::Diffuse, "scene.mtl:3: material 'm': illum 2 with Ks"},
-        Case{"illum 12\nNi 1.335\n", BsdfType::Dielectric, "scene.mtl:2: material 'm': illum 12 absorbs"},
-        Case{"illum 5\n", BsdfType::Diffuse, "scene.mtl:2: material 'm': illum 5 is unknown"},
+       {Case{"illum 5\n", BsdfType::Diffuse, "scene.mtl:2: material 'm': illum 5 is unknown"},
         Case{"illum -3\n", BsdfType::Diffuse, "illum -3 is unknown"},
         Case{"Ks .9 .6 .3\nillum 11\n", BsdfType::Mirror, "taken as a mirror of Ks 0.9 0.6 0.3"}}) {
     const auto [scene, report] = loadMaterial(c.body);
@@ -96,9 +156,9 @@ TEST(Colours, AbsentKdIsTheFrameworksGrey) { EXPECT_EQ(materialOf("illum 1\n").r
 TEST(Keys, IgnoredOnesWarnOncePerKeyUnlessNeutral) {
   const std::string two = "mtllib scene.mtl\nusemtl a\n" + std::string(kSquare) + "usemtl b\nf 1 2 3\n";
   const auto [scene, report] =
-      loadText(two, "newmtl a\nd 1.0\nTr 0\nTf 1 1 1\nPr 0\nmap_Kd a.png\nd 0.5\nglow 3\n"
-                    "newmtl b\nmap_Kd b.png\nd .25\nglow 4\nnewmtl unused\nmap_bump c.png\n");
-  EXPECT_EQ(countContaining(report.warnings, "map_Kd (texture of Kd): not read"), 1U);
+      loadText(two, "newmtl a\nd 1.0\nTr 0\nTf 1 1 1\nPr 0\nmap_Ks a.png\nd 0.5\nglow 3\n"
+                    "newmtl b\nmap_Ks b.png\nd .25\nglow 4\nnewmtl unused\nmap_bump c.png\n");
+  EXPECT_EQ(countContaining(report.warnings, "map_Ks (texture of Ks): not read"), 1U);
   EXPECT_TRUE(anyContains(report.warnings, "scene.mtl:7: d (opacity)"));
   EXPECT_EQ(countContaining(report.warnings, "'glow' is no MTL key that vkpt knows"), 1U);
   EXPECT_EQ(report.warnings.size(), 3U);
@@ -110,7 +170,7 @@ TEST(Keys, TheTableNamesEachOnceAndReadsTheFrameworksKeys) {
     EXPECT_FALSE(key.meaning.empty());
     EXPECT_FALSE(key.mapping.empty());
   }
-  for (const char* key : {"newmtl", "Ka", "Kd", "Ks", "Ni", "illum", "Ke"}) {
+  for (const char* key : {"newmtl", "Ka", "Kd", "Ks", "Ni", "Ns", "illum", "Ke", "map_Kd"}) {
     EXPECT_EQ(findMtlKey(key)->use, MtlUse::Read) << key;
   }
 }
@@ -170,11 +230,11 @@ TEST(Libraries, NamesMayHoldBlanksAndBackslashes) {
 
 TEST(Libraries, TwoFilesShareTheirMaterials) {
   const TempFolder folder;
-  folder.write("scene.mtl", "newmtl m\nKd .5 0 0\nKs 1 1 1\nillum 2\n");
+  folder.write("scene.mtl", "newmtl m\nKd .5 0 0\nKs .5 1 1\nillum 2\n");
   const auto [scene, report] = load({folder.write("a.obj", kUse), folder.write("b.obj", kUse)});
   EXPECT_EQ(scene.triangles.size(), 4U);
   EXPECT_EQ(scene.materials.size(), 1U);
-  EXPECT_EQ(report.warnings.size(), 1U);
+  EXPECT_EQ(report.warnings.size(), 1U) << "Ks without Ns";
 }
 
 } // namespace

@@ -1,0 +1,13 @@
+#pragma once
+// Ranges of what scene files say, for every format.
+
+namespace vkpt {
+
+/// Of a colour's channel: products of a few such values stay in the range of float.
+inline constexpr double kLargestColour = 1e12;
+
+/// Of an index of refraction: its square, and that of its inverse, stay in the range of float.
+inline constexpr double kLeastIor = 1e-6;
+inline constexpr double kLargestIor = 1e6;
+
+} // namespace vkpt
