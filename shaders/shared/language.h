@@ -18,8 +18,9 @@ using Vec3 = glm::vec<3, Float>;
 using Vec4 = glm::vec<4, Float>;
 using UVec4 = glm::uvec4;
 using uint = unsigned int;
-using glm::abs, glm::all, glm::any, glm::atan, glm::clamp, glm::cos, glm::cross, glm::dot, glm::exp, glm::floor,
-    glm::length, glm::log, glm::max, glm::min, glm::mix, glm::normalize, glm::pow, glm::sin, glm::sqrt;
+using glm::abs, glm::all, glm::any, glm::atan, glm::clamp, glm::cos, glm::cross, glm::dot, glm::exp,
+    glm::floor, glm::length, glm::log, glm::max, glm::min, glm::mix, glm::normalize, glm::pow, glm::sin,
+    glm::sqrt;
 inline Vec3 xyz(const Vec4& v) { return Vec3(v.x, v.y, v.z); }
 inline bool isFinite(Float x) { return std::isfinite(x); }
 /// Monotonic in x >= 0; orders children, so float precision is enough in every program.

@@ -16,18 +16,18 @@ struct alignas(16) vec4 {
 #endif
 
 // --- bindings of descriptor set 0 ---
-VKPT_CONSTANT uint kBindingFrame = 0u;     // uniform FrameConstants
-VKPT_CONSTANT uint kBindingNodes = 1u;     // texel buffer: 8 texels a node
-VKPT_CONSTANT uint kBindingTriangles = 2u; // texel buffer: 3 texels a triangle, in BVH order
-VKPT_CONSTANT uint kBindingNormals = 3u;   // texel buffer: 3 texels a triangle, in BVH order
-VKPT_CONSTANT uint kBindingMaterials = 4u; // texel buffer: 6 texels a material
-VKPT_CONSTANT uint kBindingLights = 5u;    // texel buffer: 4 texels a light
-VKPT_CONSTANT uint kBindingPaths = 6u;     // storage: saved path states, plane by plane
-VKPT_CONSTANT uint kBindingCounters = 7u;  // storage: Counters
-VKPT_CONSTANT uint kBindingFilm = 8u;      // storage[kFilmPlanes]: the film, one buffer a plane
-VKPT_CONSTANT uint kBindingSlots = 9u;     // storage: slots with samples still to do, two lists in turn
-VKPT_CONSTANT uint kBindingUvs = 10u;       // texel buffer: 2 texels a triangle, in BVH order
-VKPT_CONSTANT uint kBindingTextures = 11u; // texel buffer: a texel for each texture, then their pixels
+VKPT_CONSTANT uint kBindingFrame = 0u;        // uniform FrameConstants
+VKPT_CONSTANT uint kBindingNodes = 1u;        // texel buffer: 8 texels a node
+VKPT_CONSTANT uint kBindingTriangles = 2u;    // texel buffer: 3 texels a triangle, in BVH order
+VKPT_CONSTANT uint kBindingNormals = 3u;      // texel buffer: 3 texels a triangle, in BVH order
+VKPT_CONSTANT uint kBindingMaterials = 4u;    // texel buffer: 6 texels a material
+VKPT_CONSTANT uint kBindingLights = 5u;       // texel buffer: 4 texels a light
+VKPT_CONSTANT uint kBindingPaths = 6u;        // storage: saved path states, plane by plane
+VKPT_CONSTANT uint kBindingCounters = 7u;     // storage: Counters
+VKPT_CONSTANT uint kBindingFilm = 8u;         // storage[kFilmPlanes]: the film, one buffer a plane
+VKPT_CONSTANT uint kBindingSlots = 9u;        // storage: slots with samples still to do, two lists in turn
+VKPT_CONSTANT uint kBindingUvs = 10u;         // texel buffer: 2 texels a triangle, in BVH order
+VKPT_CONSTANT uint kBindingTextures = 11u;    // texel buffer: a texel for each texture, then their pixels
 VKPT_CONSTANT uint kBindingEnvironment = 12u; // texel buffer: 2 texels for each of the map's
 VKPT_CONSTANT uint kBindingKinds = 13u;       // storage[kKindCount]: an image of each kind of light path
 VKPT_CONSTANT uint kBindingCount = 14u;
@@ -158,9 +158,9 @@ struct FrameConstants {
   uint blocksPerStripe;
   uint lightSamples;
   uint splitDepth;
-  uint pathKinds;     // bit k: paths of kind k are wanted
-  uint deadHistories; // bit h: no path of history h (lib/kinds.glsl) can become one that is wanted
-  float survival;     // of --roulette constant
+  uint pathKinds;               // bit k: paths of kind k are wanted
+  uint deadHistories;           // bit h: no path of history h (lib/kinds.glsl) can become one that is wanted
+  float survival;               // of --roulette constant
   float environmentProbability; // with which light sampling chooses the environment
   uint environmentWidth;
   uint environmentHeight;
@@ -168,7 +168,7 @@ struct FrameConstants {
   uint unused0;
   uint unused1;
   uint unused2;
-  vec4 filterShape;                         // radius, and what the shape needs: lib/filter.glsl
+  vec4 filterShape;                        // radius, and what the shape needs: lib/filter.glsl
   vec4 filterEdges[kFilterBins / 4u + 1u]; // edges of the bins, in pixels from the centre
 };
 

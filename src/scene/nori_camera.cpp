@@ -1,8 +1,6 @@
 #include "scene/nori_camera.h"
 
 #include "scene/names.h"
-
-#include "scene/names.h"
 #include "scene/nori_object.h"
 #include "scene/obj_reader.h"
 

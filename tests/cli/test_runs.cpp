@@ -45,8 +45,8 @@ TEST(Run, VerboseShowsEveryOptionAsItWasExpanded) {
   const CommandResult r = vkpt({"--size", "8x8", "--verbose"}, {folder.path(), {}});
   EXPECT_EQ(r.exitCode, 0) << r.err;
   for (const char* option : {"--frames 64", "--size 8x8", "--output vkpt.png", "--exposure 0 --tonemap srgb",
-                             "--look-at ", "--up 0,1,0", "--fov 53.1301", "--light mis --max-bounces inf", "--light-samples 1 --split 0 --paths emission,direct,",
-                             "--filter box",
+                             "--look-at ", "--up 0,1,0", "--fov 53.1301", "--light mis --max-bounces inf",
+                             "--light-samples 1 --split 0 --paths emission,direct,", "--filter box",
                              "--roulette throughput --roulette-after 3", "--seed 0 --background 0,0,0"})
     expectContains(r.err, option);
 }

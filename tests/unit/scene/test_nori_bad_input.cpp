@@ -282,7 +282,7 @@ const std::vector<BadNori> kTransforms{
     {"StretchedCamera", camera("<transform name='toWorld'><scale value='1 2 1'/></transform>"),
      "scene.xml:3:2: the camera's toWorld distorts the picture"},
     {"ShearedCamera",
-     camera("<transform name='toWorld'><matrix value='1 .1 0 0  0 1 0 0  0 0 1 0  0 0 0 1'/></transform>"),
+     camera("<transform name='toWorld'><matrix value='1 .6 0 0  0 .8 0 0  0 0 1 0  0 0 0 1'/></transform>"),
      "scene.xml:3:2: the camera's toWorld distorts the picture"},
     {"CameraFarOff", camera("<transform name='toWorld'><translate value='1e20 0 0'/></transform>"),
      "scene.xml:3:2: the camera is beyond 1e+18"},
