@@ -202,6 +202,17 @@ void addEstimatorOptions(CLI::App& app, RenderOptions& o) {
         o.background = Vec3f(vector3(v));
       },
       "radiance of rays that leave the scene (default 0)");
+  addValue(
+      app, "--environment", "FILE",
+      [&o](const auto& text) {
+        const fs::path path(text);
+        const std::string extension = lowerCase(path.extension().string());
+        if (extension != ".hdr" && extension != ".exr" && extension != ".pfm")
+          refuseValue("--environment", text, "an image in .hdr, .exr or .pfm");
+        o.environment = path;
+      },
+      "light from all around: an image in latitude and longitude, +y up, -z in its middle (default: the "
+      "scene's)");
 }
 
 void addImageOptions(CLI::App& app, RenderOptions& o) {
@@ -447,6 +458,8 @@ std::vector<std::string> describeOptions(const RenderOptions& o, const RenderJob
   say("--roulette {} --roulette-after {}", rouletteText(e), e.effectiveRouletteAfter());
   say("--filter {}", nameOf(kFilterNames, scene.filter.shape));
   say("--seed {} --background {}", o.seed, vector(scene.background));
+  if (!scene.environment.file.empty())
+    say("--environment {}", scene.environment.file.string());
   if (!o.device.empty())
     say("--device {}", o.device);
   if (!o.stats.empty())

@@ -25,6 +25,7 @@ struct RenderOptions {
   DisplaySettings display;
   std::uint32_t seed = 0;
   std::optional<Vec3f> background;
+  fs::path environment;                          ///< an image; empty: the scene's
   std::optional<std::pair<Vec3d, Vec3d>> lookAt; ///< eye, target
   std::optional<Vec3d> up;
   std::optional<double> fovDegrees; ///< horizontal

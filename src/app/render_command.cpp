@@ -1,6 +1,7 @@
 // The default command: load, build, compile, render, write.
 
 #include "app/commands.h"
+#include "app/environment_file.h"
 #include "app/interrupt.h"
 #include "app/outputs.h"
 #include "app/progress.h"
@@ -19,6 +20,10 @@ void applyOverrides(Scene& scene, const RenderOptions& o) {
     std::tie(scene.width, scene.height) = *o.size;
   if (o.background)
     scene.background = *o.background;
+  if (!o.environment.empty()) {
+    scene.environment = {};
+    scene.environment.file = o.environment;
+  }
   if (o.filter && *o.filter != scene.filter.shape)
     scene.filter = namedFilter(*o.filter);
   if (o.lookAt) {
@@ -42,6 +47,7 @@ bool hasLight(const Scene& scene) {
 Scene loadWithOverrides(const RenderOptions& o, SceneReport& report) {
   Scene scene = loadScene(o.scenes, report);
   applyOverrides(scene, o);
+  readEnvironment(scene);
   if (!hasLight(scene)) {
     report.warnings.push_back(fmt::format(
         "{}: no light: no material emits (Ke, or the framework's Ka) and there is no --background; "
