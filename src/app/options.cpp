@@ -414,8 +414,12 @@ EstimatorSettings estimatorFor(const RenderOptions& o, const Scene& scene) {
   e.light = o.light.value_or(scene.defaults.light.value_or(e.light));
   e.maxBounces = o.maxBounces.value_or(scene.defaults.maxBounces.value_or(e.maxBounces));
   e.pathKinds = o.pathKinds.value_or(scene.defaults.pathKinds.value_or(e.pathKinds));
-  if (e.roulette == RouletteMode::Constant && e.termination >= 1.0)
+  if (e.roulette == RouletteMode::Constant && e.termination >= 1.0) {
+    // Roulette itself would end the last vertex's ray for emission too, which a limit on bounces still traces.
     e.maxBounces = std::min(e.maxBounces, e.effectiveRouletteAfter());
+    e.roulette = RouletteMode::Throughput;
+    e.rouletteAfter = e.maxBounces + 1;
+  }
   return e;
 }
 
