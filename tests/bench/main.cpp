@@ -17,7 +17,7 @@ namespace vkpt::bench {
 namespace {
 
 struct Options {
-  std::vector<std::string> scenes{"blocks", "spheres"};
+  std::vector<std::string> scenes{"blocks", "spheres", "busts"};
   fs::path mesh;
   int rounds = 5;
   int size = 512;
@@ -35,7 +35,9 @@ SceneChoice choose(const std::string& name, const Options& o) {
     return {name, {"CornellBox.obj", "CornellLeftSphere.obj", "CornellRightSphere.obj"}};
   if (name == "mesh")
     return {name, {"CornellBox.obj", o.mesh}};
-  throw UsageError(fmt::format("--scenes {}: blocks, spheres or mesh", name));
+  if (name == "busts")
+    return {name, {fs::path(VKPT_SOURCE_DIR) / "assets/busts.xml"}};
+  throw UsageError(fmt::format("--scenes {}: blocks, spheres, busts or mesh", name));
 }
 
 /// Registers work() under `name`; it returns the items it did.
@@ -211,7 +213,7 @@ void runAll(const Options& o) {
 int run(int argc, char** argv) {
   Options o;
   CLI::App app("vkpt against Embree, on the same work");
-  app.add_option("--scenes", o.scenes, "blocks, spheres, mesh")->delimiter(',');
+  app.add_option("--scenes", o.scenes, "blocks, spheres, busts (Phong), mesh")->delimiter(',');
   app.add_option("--mesh", o.mesh,
                  "OBJ file that stands in the box in place of the blocks; adds the scene `mesh`");
   app.add_option("--rounds", o.rounds, "turns each side takes")->check(CLI::PositiveNumber);

@@ -23,11 +23,13 @@ constexpr std::uint64_t bitsOf(std::initializer_list<Effect> effects) {
   return bits;
 }
 
-constexpr std::initializer_list<Effect> kBoxEffects = {
-    Effect::Diffuse, Effect::AreaLights, Effect::ManyLights, Effect::LightSampling, Effect::Roulette};
+constexpr std::initializer_list<Effect> kBoxEffects = {Effect::Diffuse,    Effect::AreaLights,
+                                                       Effect::ManyLights, Effect::LightSampling,
+                                                       Effect::Roulette,   Effect::Mis};
 constexpr std::uint64_t kBlocks = bitsOf(kBoxEffects);
 constexpr std::uint64_t kMesh = kBlocks | bitsOf({Effect::SmoothNormals});
 constexpr std::uint64_t kSpheres = kMesh | bitsOf({Effect::Glass, Effect::Metal});
+constexpr std::uint64_t kBusts = kMesh | bitsOf({Effect::Phong, Effect::OneSided, Effect::PixelFilter});
 
 template<std::uint64_t kBits, bool kRecord>
 struct Traits : FixedEffects<kBits> {
@@ -53,13 +55,15 @@ void withProgram(const PackedScene& scene, const EmbreeScene& embree, const Scen
     if (!equals(effects, kBits))
       return;
     found = true;
-    Program<Traits<kBits, kRecord>> program(scene, constants, effects, s.estimator.roulette);
+    Program<Traits<kBits, kRecord>> program(scene, constants, effects, s.estimator.roulette,
+                                            source.filter.shape);
     program.embree = embree.handle();
     use(program);
   };
   attempt(std::integral_constant<std::uint64_t, kBlocks>{});
   attempt(std::integral_constant<std::uint64_t, kSpheres>{});
   attempt(std::integral_constant<std::uint64_t, kMesh>{});
+  attempt(std::integral_constant<std::uint64_t, kBusts>{});
   if (!found)
     throw std::runtime_error(
         "the yardstick is not compiled for this scene's effects: tests/bench/yardstick.cpp");
