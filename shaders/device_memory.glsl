@@ -140,6 +140,8 @@ layout(push_constant) uniform DispatchBlock { Dispatch job; };
 // --- what a lane works on, for the library's memory of its own ---
 uint g_slot = 0u;
 uint g_pixel = 0u;
+uint g_sample = 0u; // low half of its index
+uint g_bounce = 0u;
 
 // Plane p of the saved path states.
 uint statePlane(uint p, uint slot) { return p * job.slotCount + slot; }
@@ -192,15 +194,32 @@ uint g_raysShadow = 0u;
 uint g_cutTraversals = 0u;
 uint g_cappedPaths = 0u;
 uint g_nonFinite = 0u;
+uint g_invalidPdfs = 0u;
+
+// The first faults of a dispatch are recorded, so that a path can be traced again.
+void recordFault(uint cause) {
+  uint i = atomicAdd(counters.faultRecords, 1u);
+  if (i < kMaxFaultRecords) counters.records[i] = FaultRecord(g_pixel, g_sample, g_bounce, cause);
+}
 
 void reportTraversal(uint steps, bool cut) {
   g_steps += subgroupMaximum(steps);
-  g_cutTraversals += cut ? 1u : 0u;
+  if (cut) {
+    g_cutTraversals += 1u;
+    recordFault(kFaultCutTraversal);
+  }
 }
 void reportClosestRay() { g_raysClosest += 1u; }
 void reportShadowRay(bool traced) { g_raysShadow += traced ? 1u : 0u; }
 void reportCappedPath() { g_cappedPaths += 1u; }
-void reportNonFinite() { g_nonFinite += 1u; }
+void reportNonFinite() {
+  g_nonFinite += 1u;
+  recordFault(kFaultNonFinite);
+}
+void reportInvalidPdf() {
+  g_invalidPdfs += 1u;
+  recordFault(kFaultInvalidPdf);
+}
 
 // carried: the lane's path has begun and is saved for the next dispatch.
 void addCounters(bool carried) {
@@ -210,6 +229,7 @@ void addCounters(bool carried) {
   uint cappedPaths = subgroupAdd(g_cappedPaths);
   uint nonFinite = subgroupAdd(g_nonFinite);
   uint cutTraversals = subgroupAdd(g_cutTraversals);
+  uint invalidPdfs = subgroupAdd(g_invalidPdfs);
   if (subgroupElect()) {
     atomicAdd(counters.carriedPaths, carriedPaths);
     atomicAdd(counters.raysClosest, raysClosest);
@@ -217,6 +237,7 @@ void addCounters(bool carried) {
     atomicAdd(counters.cappedPaths, cappedPaths);
     atomicAdd(counters.nonFinite, nonFinite);
     atomicAdd(counters.cutTraversal, cutTraversals);
+    atomicAdd(counters.invalidPdf, invalidPdfs);
   }
 }
 

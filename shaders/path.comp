@@ -111,6 +111,8 @@ void main() {
   bool started = working;
   if (working) {
     do {
+      g_sample = path.sampleLow;
+      g_bounce = path.bounce;
       if (!Li(path)) {
         finishSample(work, sampleValue(path));
         path = nextPath(work);

@@ -107,7 +107,7 @@ bool Li(INOUT(Path) path) {
     gatherBackground(path);
   } else {
     Surface s = surfaceAt(hit, wo);
-    if (kEffectAbsorption && !s.front && s.m.bsdf == kBsdfDielectric) {
+    if (kEffectAbsorption && !s.front && isGlass(s.m.bsdf)) {
       path.beta = path.beta * exp(-s.m.absorption * hit.t); // the way here lay behind the surface
     }
 
@@ -141,8 +141,12 @@ bool Li(INOUT(Path) path) {
     // INDIRECT: one direction from the BSDF; the emission it finds counts as far as no light sample found it.
     UVec4 random = pathRandom(path, blockBsdf(path.bounce));
     BsdfSample b = sampleBsdf(s, wo, random);
-    Vec3 beta = path.beta * b.weight;
     bool specular = b.specular;
+    if (!specular && maxComponent(b.weight) > 0.0 && !(b.pdf_w > 0.0 && isFinite(b.pdf_w))) {
+      reportInvalidPdf();
+      b.weight = Vec3(0.0);
+    }
+    Vec3 beta = path.beta * b.weight;
     path.emit = MUTATE(EmissionTwice, specular || !samplesEmitters() || weighsStrategies(), true);
     path.pdf_w = specular ? 0.0 : b.pdf_w;
     uint history = specular ? afterSpecular(path.history, dot(b.wi, s.ng) < 0.0) : afterDiffuse(path.history);

@@ -1,6 +1,6 @@
 // Known mistakes, one line each: X(id, Name, what is broken). A test build (VKPT_MUTATIONS) can switch one
-// on; tests/scenes shows that each is noticed. In every other build MUTATE is its right side and nothing
-// else.
+// on; tests/scenes shows that each of the first list is noticed, tests/bsdf of the second. In every other build
+// MUTATE is its right side and nothing else.
 #ifndef VKPT_SHARED_MUTATIONS_H
 #define VKPT_SHARED_MUTATIONS_H
 
@@ -63,10 +63,21 @@
   X(56, CarriedPdfLost, "a path that goes on in the next dispatch forgets the density of its direction")     \
   X(57, CarriedHistoryLost, "a path that goes on in the next dispatch forgets its kind")
 
+// Those that tests/bsdf notices: by samples counted against their density, and by closed forms.
+#define VKPT_SAMPLING_MUTATIONS_LIST(X)                                                                      \
+  X(58, ReflectionJacobianDropped, "rough metal's density is that of the facets, not of directions")         \
+  X(59, MaskingDropped, "microfacets neither mask nor shadow each other")                                    \
+  X(60, RefractionJacobianWrong, "rough glass refracts with a Jacobian that lacks the index")                \
+  X(61, RoughGlassAlwaysEntered, "rough glass is entered from inside too")                                   \
+  X(62, AllNormalsVisible, "facets are sampled as if seen from above")                                       \
+  X(63, SlopeNotSolved, "Beckmann's visible slopes are the first guess")                                     \
+  X(64, CoatFresnelDropped, "the coat of Nori's microfacet reflects all light")
+
 #ifdef VKPT_MUTATIONS
 layout(constant_id = 127) const uint kMutation = 0u;
 #define VKPT_MUTATION_ID(id, Name, what) const uint kMutation##Name = id;
 VKPT_MUTATIONS_LIST(VKPT_MUTATION_ID)
+VKPT_SAMPLING_MUTATIONS_LIST(VKPT_MUTATION_ID)
 #undef VKPT_MUTATION_ID
 #define MUTATE(Name, right, wrong) (kMutation == kMutation##Name ? (wrong) : (right))
 #else

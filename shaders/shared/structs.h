@@ -128,6 +128,20 @@ VKPT_CONSTANT uint kKindPlanes = 9u; // 36 bytes a pixel
 VKPT_CONSTANT uint kPathPlanes = 6u;   // uvec4 planes of a saved path state: 96 bytes a slot
 VKPT_CONSTANT uint kBranchPlanes = 3u; // and of each branch that waits: 48 bytes
 
+// --- faults: the values of vkpt::FaultCause ---
+VKPT_CONSTANT uint kFaultNonFinite = 0u;    // a sample that is not finite
+VKPT_CONSTANT uint kFaultCutTraversal = 1u; // a ray that took too many steps
+VKPT_CONSTANT uint kFaultInvalidPdf = 2u; // a direction sampled with a density that is not above 0 and finite
+VKPT_CONSTANT uint kFaultCauses = 3u;
+VKPT_CONSTANT uint kMaxFaultRecords = 64u; // of a dispatch
+
+struct FaultRecord {
+  uint pixel;
+  uint sampleLow;
+  uint bounce;
+  uint cause;
+};
+
 // --- what one dispatch reports ---
 struct Counters {
   uint unfinished; // slots with samples still to do
@@ -139,6 +153,10 @@ struct Counters {
   uint cutTraversal;
   uint stackOverflow;
   uint invalidPdf;
+  uint faultRecords; // how many faults wanted to be recorded
+  uint unused0;
+  uint unused1;
+  FaultRecord records[kMaxFaultRecords];
 };
 
 // --- what stays the same over a render: uniform buffer ---

@@ -13,6 +13,10 @@ namespace {
 
 vkpt::ExitCode run(const std::vector<std::string>& arguments) {
   using vkpt::Command;
+  if (!arguments.empty() && arguments.front() == "compare")
+    return vkpt::runCompare({arguments.begin() + 1, arguments.end()});
+  if (!arguments.empty() && arguments.front() == "study")
+    return vkpt::runStudy({arguments.begin() + 1, arguments.end()});
   const vkpt::CommandLine line = vkpt::parseCommandLine(arguments);
   vkpt::setUpLog(line.render.log);
   switch (line.command) {
@@ -20,6 +24,12 @@ vkpt::ExitCode run(const std::vector<std::string>& arguments) {
     return vkpt::runRender(line.render);
   case Command::Devices:
     return vkpt::runDevices(line.render);
+  case Command::Selftest:
+    return vkpt::runSelftest(line.render);
+  case Command::Replay:
+    return vkpt::runReplay(line.render);
+  case Command::Explain:
+    return vkpt::runExplain(line.render);
   case Command::ListScenes:
     return vkpt::runListScenes();
   case Command::Exit:

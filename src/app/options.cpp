@@ -1,17 +1,15 @@
 #include "app/options.h"
 
+#include "app/option_parser.h"
 #include "app/option_values.h"
 #include "scene/names.h"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <functional>
-#include <iostream>
 #include <numbers>
 
 namespace vkpt {
@@ -20,7 +18,12 @@ namespace {
 constexpr const char* kUsage =
     "vkpt renders scenes by path tracing in Vulkan compute, on a GPU or in software.\n"
     "Usage: vkpt [SCENE...] [options]     render; without SCENE the built-in Cornell box\n"
-    "       vkpt devices                  the Vulkan devices, and which one would be used\n";
+    "       vkpt explain [SCENE...]       which effects are compiled in, because of what, and what they "
+    "take\n"
+    "       vkpt devices                  the Vulkan devices, and which one would be used\n"
+    "       vkpt selftest FILE.xml        a file's own tests: of BSDFs, and of scenes on this device\n"
+    "       vkpt study [SCENE...]         what accuracy costs in time, as a report; see vkpt study --help\n"
+    "       vkpt compare IMAGE REFERENCE  error metrics and a difference picture; see vkpt compare --help\n";
 constexpr const char* kExamples =
     "Examples:\n"
     "  vkpt --frames 64                                    the Cornell box into vkpt.png\n"
@@ -30,7 +33,9 @@ constexpr const char* kExamples =
     "  vkpt cbox.xml --roulette constant=0.4 --time 60 -o cbox.exr\n"
     "  vkpt cornell-spheres --paths caustic --split 2\n"
     "  vkpt room.obj --look-at 0,1,4,0,1,0 --fov 60 --background 0.5,0.7,1\n"
-    "Exit codes: 0 done, 1 usage, 2 scene, 3 device, 5 faults were counted, 75 interrupted (what was done is "
+    "Exit codes: 0 done, 1 usage, 2 scene, 3 device, 4 a comparison or self-test failed, 5 faults were "
+    "counted, 75 "
+    "interrupted (what was done is "
     "written)";
 
 // In the order of the enumerators.
@@ -58,14 +63,6 @@ double horizontalFov(const Scene& scene) {
 constexpr std::uint64_t kLargest32 = 0xFFFFFFFF;
 constexpr double kLargestRadiance = 1e12; // products of a few stay in the range of float, as in MTL files
 
-using Handler = std::function<void(const std::string&)>;
-
-/// An option whose value `handle` parses. `kind` names the value in the help.
-CLI::Option* addValue(CLI::App& app, const std::string& name, const char* kind, const Handler& handle,
-                      const std::string& description) {
-  return app.add_option_function<std::string>(name, handle, description)->type_name(kind);
-}
-
 Vec3d vector3(const std::vector<double>& v, std::size_t at = 0) { return {v[at], v[at + 1], v[at + 2]}; }
 
 void addStopOptions(CLI::App& app, RenderOptions& o) {
@@ -92,7 +89,7 @@ void addStopOptions(CLI::App& app, RenderOptions& o) {
   addValue(
       app, "--tile-blocks", "N",
       [&o](const auto& text) {
-        o.job.tileBlocks = static_cast<std::uint32_t>(parseWhole("--tile-blocks", text, 0, 16384));
+        o.job.tileBlocks = static_cast<std::uint32_t>(parseWhole("--tile-blocks", text, 0, kMostTileBlocks));
       },
       "8x8 blocks per dispatch, 0: by measured time (default 0); never changes the image");
 }
@@ -291,6 +288,27 @@ void addRunOptions(CLI::App& app, RenderOptions& o, Flags& flags) {
           refuseValue("--stats", text, "a name that ends in .json");
       },
       "write the run's figures");
+  addValue(
+      app, "--effects", "auto|all|auto,-NAME",
+      [&o](const auto& text) { o.effects = parseEffectsOption(text); },
+      "compile in what the scene calls for, everything (the same image), or leave out NAME, which biases the "
+      "image (default auto); NAME as vkpt explain tells it");
+  app.add_flag("--measure", o.measure, "with explain: measure what each effect costs on this device");
+  app.add_flag("--json", o.json, "with explain: JSON in place of the table");
+  addValue(
+      app, "--pixel", "X,Y",
+      [&o](const auto& text) {
+        constexpr const char* kRight = "a column and a row X,Y from 0, row 0 at the top";
+        const auto v = parseList("--pixel", text, 2, kRight);
+        if (std::ranges::any_of(v, [](double c) { return !(c >= 0.0 && c < 1e9) || c != std::floor(c); }))
+          refuseValue("--pixel", text, kRight);
+        o.pixel = {static_cast<int>(v[0]), static_cast<int>(v[1])};
+      },
+      "replay one path of this pixel and print it vertex by vertex, in float and in double");
+  addValue(
+      app, "--sample", "I",
+      [&o](const auto& text) { o.sample = parseWhole("--sample", text, 0, 0xFFFFFFFFFFFF); },
+      "with --pixel: which of its samples, from 0 (default 0)");
   app.add_flag("--strict", o.strict, "warnings about a scene are errors");
   app.add_flag("--validation", o.validation, "turn the Vulkan validation layer on; a message is an error");
   app.add_flag("--quiet", flags.quiet, "errors only");
@@ -308,33 +326,28 @@ void interpret(const Flags& flags, CommandLine& line) {
   o.progress = !flags.noProgress && !flags.quiet;
   if (o.outputs.empty())
     o.outputs.emplace_back("vkpt.png");
+  if (o.pixel)
+    line.command = Command::Replay;
   if (flags.listScenes)
     line.command = Command::ListScenes;
+  if (!o.scenes.empty() && o.scenes.front() == "explain") {
+    o.scenes.erase(o.scenes.begin());
+    line.command = Command::Explain;
+  } else if (o.measure || o.json) {
+    throw UsageError(fmt::format("{}: for vkpt explain alone", o.measure ? "--measure" : "--json"));
+  }
   if (!o.scenes.empty() && o.scenes.front() == "devices") {
     if (o.scenes.size() > 1)
       throw UsageError(fmt::format("devices '{}': the command takes no scene", o.scenes[1].string()));
     line.command = Command::Devices;
   }
-}
-
-std::string unknownOption(const CLI::App& app) {
-  std::vector<std::string> names;
-  for (const CLI::Option* option : app.get_options()) {
-    for (const auto& name : option->get_lnames())
-      names.push_back("--" + name);
+  if (!o.scenes.empty() && o.scenes.front() == "selftest") {
+    if (o.scenes.size() != 2)
+      throw UsageError(
+          "selftest: give one file of tests, as in vkpt selftest FILE.xml; there are no built-in tests");
+    o.scenes.erase(o.scenes.begin());
+    line.command = Command::Selftest;
   }
-  const std::vector<std::string_view> views(names.begin(), names.end());
-  const auto unknown = app.remaining();
-  const std::string first = unknown.empty() ? "" : unknown.front();
-  return fmt::format("{}: unknown option{}; see vkpt --help", first, didYouMean(first, views));
-}
-
-/// CLI11's messages may have several lines; ours has one.
-std::string oneLine(std::string text) {
-  while (!text.empty() && text.back() == '\n')
-    text.pop_back();
-  std::ranges::replace(text, '\n', ' ');
-  return text + "; see vkpt --help";
 }
 
 } // namespace
@@ -354,18 +367,11 @@ CommandLine parseCommandLine(const std::vector<std::string>& arguments) {
   addCameraOptions(app, o);
   addEstimatorOptions(app, o);
   addRunOptions(app, o, flags);
-  std::vector<std::string> reversed(arguments.rbegin(), arguments.rend());
-  try {
-    app.parse(reversed);
-  } catch (const CLI::Success& e) { // --help, --version
-    app.exit(e, std::cout, std::cerr);
+  if (!parseArguments(app, arguments, "vkpt --help")) {
     line.command = Command::Exit;
     return line;
-  } catch (const CLI::ExtrasError&) {
-    throw UsageError(unknownOption(app));
-  } catch (const CLI::ParseError& e) {
-    throw UsageError(oneLine(e.what()));
   }
+  o.arguments = arguments;
   interpret(flags, line);
   return line;
 }
@@ -415,7 +421,8 @@ EstimatorSettings estimatorFor(const RenderOptions& o, const Scene& scene) {
   e.maxBounces = o.maxBounces.value_or(scene.defaults.maxBounces.value_or(e.maxBounces));
   e.pathKinds = o.pathKinds.value_or(scene.defaults.pathKinds.value_or(e.pathKinds));
   if (e.roulette == RouletteMode::Constant && e.termination >= 1.0) {
-    // Roulette itself would end the last vertex's ray for emission too, which a limit on bounces still traces.
+    // Roulette itself would end the last vertex's ray for emission too, which a limit on bounces still
+    // traces.
     e.maxBounces = std::min(e.maxBounces, e.effectiveRouletteAfter());
     e.roulette = RouletteMode::Throughput;
     e.rouletteAfter = e.maxBounces + 1;
@@ -460,6 +467,7 @@ std::vector<std::string> describeOptions(const RenderOptions& o, const RenderJob
   if (!o.kindPrefix.empty())
     say("--output-paths {}", o.kindPrefix.string());
   say("--roulette {} --roulette-after {}", rouletteText(e), e.effectiveRouletteAfter());
+  say("--effects {}", effectsText(o.effects));
   say("--filter {}", nameOf(kFilterNames, scene.filter.shape));
   say("--seed {} --background {}", o.seed, vector(scene.background));
   if (!scene.environment.file.empty())

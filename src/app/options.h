@@ -1,6 +1,7 @@
 #pragma once
 // The command line.
 
+#include "app/effects_option.h"
 #include "core/log.h"
 #include "film/image.h"
 #include "render/render_job.h"
@@ -19,7 +20,10 @@ struct RenderOptions {
   std::optional<std::uint32_t> maxBounces;
   std::optional<std::uint32_t> pathKinds; ///< bit i: PathKind i
   std::optional<PixelFilter::Shape> filter;
-  fs::path kindPrefix; ///< of the images of the kinds of light path; empty: none
+  EffectsOption effects;
+  bool measure = false; ///< explain: what the effects cost
+  bool json = false;    ///< explain: JSON in place of a table
+  fs::path kindPrefix;  ///< of the images of the kinds of light path; empty: none
   std::optional<std::pair<int, int>> size;
   std::vector<fs::path> outputs;
   DisplaySettings display;
@@ -28,7 +32,10 @@ struct RenderOptions {
   fs::path environment;                          ///< an image; empty: the scene's
   std::optional<std::pair<Vec3d, Vec3d>> lookAt; ///< eye, target
   std::optional<Vec3d> up;
-  std::optional<double> fovDegrees; ///< horizontal
+  std::optional<double> fovDegrees;         ///< horizontal
+  std::optional<std::pair<int, int>> pixel; ///< of the path that is replayed
+  std::uint64_t sample = 0;                 ///< its index
+  std::vector<std::string> arguments;       ///< as they were typed
   std::string device;
   fs::path stats;
   bool strict = false;
@@ -37,7 +44,7 @@ struct RenderOptions {
   LogLevel log = LogLevel::Normal; ///< Quiet: no summary either
 };
 
-enum class Command { Render, Devices, ListScenes, Exit };
+enum class Command { Render, Devices, Selftest, Replay, Explain, ListScenes, Exit };
 
 struct CommandLine {
   Command command = Command::Render;

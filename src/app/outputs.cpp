@@ -96,10 +96,7 @@ void writeImages(const RenderOptions& o, const RunReport& report, const Film& fi
 void writeStats(const RenderOptions& o, const RunReport& report) {
   if (o.stats.empty())
     return;
-  const std::string text = statsJson(report);
-  film::AtomicFile file(o.stats);
-  file.write({reinterpret_cast<const unsigned char*>(text.data()), text.size()});
-  file.commit();
+  film::writeTextFile(o.stats, statsJson(report));
 }
 
 } // namespace vkpt

@@ -1,66 +1,22 @@
 // The default command: load, build, compile, render, write.
 
+#include "app/cache_folder.h"
 #include "app/commands.h"
-#include "app/environment_file.h"
 #include "app/interrupt.h"
+#include "app/load_scene.h"
 #include "app/outputs.h"
 #include "app/progress.h"
 #include "app/run_report.h"
 #include "core/clock.h"
-#include "scene/load.h"
 
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
+#include <algorithm>
+#include <iterator>
+
 namespace vkpt {
 namespace {
-
-void applyOverrides(Scene& scene, const RenderOptions& o) {
-  if (o.size)
-    std::tie(scene.width, scene.height) = *o.size;
-  if (o.background)
-    scene.background = *o.background;
-  if (!o.environment.empty()) {
-    scene.environment = {};
-    scene.environment.file = o.environment;
-  }
-  if (o.filter && *o.filter != scene.filter.shape)
-    scene.filter = namedFilter(*o.filter);
-  if (o.lookAt) {
-    std::tie(scene.camera.eye, scene.camera.target) = *o.lookAt;
-    scene.camera.mirrored = false;
-  }
-  if (o.up)
-    scene.camera.up = *o.up;
-  if (o.fovDegrees) {
-    scene.camera.fovDegrees = *o.fovDegrees;
-    scene.camera.fovAxis = Camera::FovAxis::Horizontal;
-  }
-}
-
-bool hasLight(const Scene& scene) {
-  const EffectSet effects = detectEffects(scene, {});
-  return effects.has(Effect::AreaLights) || effects.has(Effect::Background) ||
-         effects.has(Effect::Environment) || effects.has(Effect::DeltaLights);
-}
-
-Scene loadWithOverrides(const RenderOptions& o, SceneReport& report) {
-  Scene scene = loadScene(o.scenes, report);
-  applyOverrides(scene, o);
-  readEnvironment(scene);
-  if (!hasLight(scene)) {
-    report.warnings.push_back(fmt::format(
-        "{}: no light: no material emits (Ke, or the framework's Ka) and there is no --background; "
-        "the image will be black",
-        scene.name));
-  }
-  for (const auto& warning : report.warnings) {
-    if (o.strict)
-      throw Error(ExitCode::Scene, warning + " (an error by --strict)");
-    spdlog::warn("{}", warning);
-  }
-  return scene;
-}
 
 RenderJob withDefaults(RenderJob job, const Scene& scene) {
   if (!job.frames && !job.seconds && !job.targetError)
@@ -88,7 +44,7 @@ ExitCode runRender(const RenderOptions& o) {
   RunReport report;
   Stopwatch watch;
 
-  const Scene scene = loadWithOverrides(o, report.sceneReport);
+  const Scene scene = loadSceneFor(o, report.sceneReport);
   checkOutputSizes(o, scene.width, scene.height);
   const RenderJob job = withDefaults(o.job, scene);
   const EstimatorSettings estimator = estimatorFor(o, scene);
@@ -96,10 +52,12 @@ ExitCode runRender(const RenderOptions& o) {
     spdlog::debug("{}", line);
   report.seconds.load = watch.restart();
 
-  const EffectSet effects = detectEffects(scene, estimator);
-  const gpu::Context context({o.device, o.validation});
+  const EffectSet detected = detectEffects(scene, estimator);
+  const EffectSet effects = effectsFor(o, detected, report.sceneReport);
+  const gpu::Context context({o.device, o.validation, pipelineCacheFolder()});
   watch.restart();
-  const PackedScene packed = packScene(scene, estimator);
+  const PackedScene packed = packScene(scene, estimator, effects);
+  noteLeftOut(packed.leftOut, report.sceneReport);
   const DeviceScene deviceScene = uploadScene(context, packed);
   report.seconds.build = watch.restart();
 
@@ -118,6 +76,8 @@ ExitCode runRender(const RenderOptions& o) {
   report.width = scene.width;
   report.height = scene.height;
   report.counters = integrator.counters();
+  report.faults = integrator.faults();
+  report.arguments = o.arguments;
   report.film = filmStatistics(film);
   report.tail = estimateTail(film);
   report.effects = effects.names();
@@ -125,11 +85,12 @@ ExitCode runRender(const RenderOptions& o) {
   report.seed = o.seed;
   report.deviceBytes = deviceScene.bytes() + integrator.filmBytes();
   report.bias = biasOf(o, estimator);
+  std::ranges::move(effectsBias(o.effects, detected), std::back_inserter(report.bias));
   if (report.counters.faults() > 0 && report.result.stop != StopReason::User)
     report.result.stop = StopReason::Fault;
 
   watch.restart();
-  writeImages(o, report, film, integrator.kindImages(film));
+  writeImages(o, report, film, estimator.kindImages ? integrator.kindImages(film) : KindImages());
   report.seconds.output = watch.restart();
   writeStats(o, report);
   return conclude(o, report, context);

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 
 namespace vkpt {
@@ -25,6 +26,18 @@ std::string errorText(const FilmStatistics& film) {
     return "relative error not known (fewer than 2 samples a pixel)";
   return fmt::format("estimated relative error {:.2f} % (95 % confident: below {:.2f} %)",
                      film.relativeError * 100.0, film.relativeErrorUpper * 100.0);
+}
+
+/// What more would cost; empty where that is not known.
+std::string costText(const RunReport& r) {
+  const auto cost = costOfHalf(r.result.looks, r.seconds.render);
+  if (!cost)
+    return {};
+  const std::string law =
+      cost->measured ? fmt::format("measured: the error falls with frames to the {:.2f}", cost->exponent)
+                     : std::string("by the law of independent samples: fewer than 3 looks at the error");
+  return fmt::format("the error is {:.2g} %; half of it would take another {:.3g} s ({})",
+                     r.film.relativeError * 100.0, cost->more, law);
 }
 
 double samplesPerSecond(const RunReport& r) {
@@ -124,6 +137,52 @@ std::string tailWarning(const RunReport& r) {
       r.tail->index);
 }
 
+namespace {
+
+/// A word as a shell reads it.
+std::string quoted(const std::string& word) {
+  constexpr std::string_view kPlain = "+,-./0123456789:=@_";
+  const auto plain = [&](unsigned char c) {
+    return std::isalnum(c) != 0 || kPlain.find(static_cast<char>(c)) != std::string_view::npos;
+  };
+  if (!word.empty() && std::ranges::all_of(word, plain))
+    return word;
+  std::string text = "'";
+  for (const char c : word)
+    text += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return text + "'";
+}
+
+std::string replayCommand(const RunReport& r) {
+  std::string text = "vkpt";
+  for (const auto& word : r.arguments)
+    text.append(" ").append(quoted(word));
+  const Fault& f = r.faults.front();
+  return fmt::format("{} --pixel {},{} --sample {}", text, f.x, f.y, f.sample);
+}
+
+std::string_view causeName(FaultCause cause) {
+  switch (cause) {
+  case FaultCause::NonFinite:
+    return "nonFinite";
+  case FaultCause::CutTraversal:
+    return "cutTraversal";
+  case FaultCause::InvalidPdf:
+    return "invalidPdf";
+  }
+  return "";
+}
+
+nlohmann::ordered_json faultRecords(const RunReport& r) {
+  auto list = nlohmann::ordered_json::array();
+  for (const Fault& f : r.faults)
+    list.push_back(
+        {{"x", f.x}, {"y", f.y}, {"sample", f.sample}, {"bounce", f.bounce}, {"cause", causeName(f.cause)}});
+  return list;
+}
+
+} // namespace
+
 std::string summaryText(const RunReport& r, const std::vector<fs::path>& outputs) {
   std::string text;
   const auto line = [&](const std::string& s) { text += s + "\n"; };
@@ -137,6 +196,8 @@ std::string summaryText(const RunReport& r, const std::vector<fs::path>& outputs
                    r.seconds.compile));
   line(fmt::format("mean radiance {:.5g} {:.5g} {:.5g}, {}", r.film.mean.x, r.film.mean.y, r.film.mean.z,
                    errorText(r.film)));
+  if (const std::string cost = costText(r); !cost.empty())
+    line(cost);
   if (const std::string warning = tailWarning(r); !warning.empty())
     line(warning);
   if (r.counters.cappedPaths > 0)
@@ -145,12 +206,19 @@ std::string summaryText(const RunReport& r, const std::vector<fs::path>& outputs
     line(fmt::format("biased by: {}", fmt::join(r.bias, ", ")));
   if (r.counters.faults() > 0)
     line("FAULTS: " + faultText(r.counters));
+  if (!r.faults.empty())
+    line("the first of them again, vertex by vertex: " + replayCommand(r));
   for (const auto& path : outputs)
     line("written: " + path.string());
   return text;
 }
 
-std::string statsJson(const RunReport& report) { return statsOf(report).dump(2) + "\n"; }
+std::string statsJson(const RunReport& report) {
+  auto stats = statsOf(report);
+  if (!report.faults.empty())
+    stats["faultRecords"] = faultRecords(report);
+  return stats.dump(2) + "\n";
+}
 
 Metadata imageMetadata(const RunReport& report) {
   Metadata metadata;

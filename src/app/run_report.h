@@ -21,6 +21,8 @@ struct RunReport {
     double output = 0.0;
   } seconds;
   RunCounters counters;
+  std::vector<Fault> faults;          ///< the first of them
+  std::vector<std::string> arguments; ///< of the command, for a line that replays one
   FilmStatistics film;
   std::optional<TailEstimate> tail;
   std::vector<std::string> effects;

@@ -1,3 +1,4 @@
+#include "app/cache_folder.h"
 #include "app/commands.h"
 #include "app/environment_file.h"
 #include "selftest/run_tests.h"
@@ -30,8 +31,9 @@ NoriTests loadTests(const RenderOptions& o) {
 ExitCode runSelftest(const RenderOptions& o) {
   const NoriTests tests = loadTests(o);
   const bool quiet = o.log == LogLevel::Quiet;
-  const SelftestSettings settings{
-      o.seed, [&o](const Scene& scene) { return estimatorFor(o, scene); }, {o.device, o.validation}};
+  const SelftestSettings settings{o.seed,
+                                  [&o](const Scene& scene) { return estimatorFor(o, scene); },
+                                  {o.device, o.validation, pipelineCacheFolder()}};
   const SelftestCounts counts = runTests(tests, settings, [quiet](const TestOutcome& outcome) {
     if (!quiet)
       fmt::print("{}\n", outcomeText(outcome));

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 
 #include <glm/packing.hpp>
 
@@ -23,18 +24,29 @@ Texel texel(const Vec3f& v, std::uint32_t w) {
 }
 Texel texel(const Vec3f& v, float w) { return texel(v, std::bit_cast<std::uint32_t>(w)); }
 
-std::vector<Box3f> triangleBounds(const Scene& scene) {
-  std::vector<Box3f> bounds(scene.triangles.size());
-  for (std::size_t i = 0; i < bounds.size(); ++i) {
-    for (const std::uint32_t v : scene.triangles[i].vertex)
-      bounds[i].extend(scene.positions[v]);
+/// Over the triangles that are something; the order is that of the scene's triangles.
+Bvh buildOver(const Scene& scene, unsigned threads) {
+  std::vector<std::uint32_t> kept;
+  std::vector<Box3f> bounds;
+  for (std::uint32_t i = 0; i < scene.triangles.size(); ++i) {
+    const Triangle& t = scene.triangles[i];
+    if (isNothing(scene.materials[t.material]))
+      continue;
+    kept.push_back(i);
+    Box3f& box = bounds.emplace_back();
+    for (const std::uint32_t v : t.vertex)
+      box.extend(scene.positions[v]);
   }
-  return bounds;
+  BvhSettings settings;
+  settings.threads = threads;
+  settings.maxDepth = shared::kMaxStackDepth - 1U;
+  Bvh bvh = buildBvh(bounds, settings);
+  for (std::uint32_t& id : bvh.triangleOrder)
+    id = kept[id];
+  return bvh;
 }
 
-void packTriangles(const Scene& scene, PackedScene& packed) {
-  const bool smooth =
-      std::ranges::any_of(scene.triangles, [](const Triangle& t) { return t.normal[0] != kNoNormal; });
+void packTriangles(const Scene& scene, bool smooth, PackedScene& packed) {
   for (const std::uint32_t id : packed.bvh.triangleOrder) {
     const Triangle& t = scene.triangles[id];
     packed.triangles.push_back(texel(scene.positions[t.vertex[0]], t.material));
@@ -50,7 +62,7 @@ void packTriangles(const Scene& scene, PackedScene& packed) {
 }
 
 std::uint32_t flagsOf(const Material& m) {
-  return (m.twoSided ? 0U : shared::kMaterialOneSided) |
+  return (m.twoSided || transmits(m) ? 0U : shared::kMaterialOneSided) |
          (m.distribution == MicrofacetDistribution::Beckmann ? shared::kMaterialBeckmann : 0U);
 }
 
@@ -69,7 +81,7 @@ void packMaterials(const Scene& scene, const LightTable& lights, PackedScene& pa
     packed.materials.push_back(texel(m.emission, static_cast<float>(lightPdf)));
     packed.materials.push_back(texel(m.eta, bsdf == BsdfType::Phong ? m.exponent : m.roughness));
     packed.materials.push_back(texel(m.k, m.intIor / m.extIor));
-    packed.materials.push_back(texel(m.specular, m.texture));
+    packed.materials.push_back(texel(m.specular, readsTexture(m) ? m.texture : kNoTexture));
     packed.materials.push_back(texel(m.absorption, 0U));
   }
 }
@@ -113,8 +125,6 @@ void packLights(const Scene& scene, const LightTable& table, PackedScene& packed
     position[packed.bvh.triangleOrder[i]] = i;
   for (std::size_t i = 0; i < table.lights.size(); ++i)
     packLight(scene, table.lights[i], table.rows[i], position, packed.lights);
-  packed.lightChoice = {static_cast<std::uint32_t>(table.lights.size()),
-                        static_cast<float>(table.environmentProbability())};
 }
 
 void packUvs(const Scene& scene, PackedScene& packed) {
@@ -129,16 +139,33 @@ void packUvs(const Scene& scene, PackedScene& packed) {
   }
 }
 
-/// Two pixels a texel: (r g, b 0) in half floats each.
+/// By texture: whether a surface reads it.
+std::vector<bool> texturesRead(const Scene& scene) {
+  std::vector<bool> read(scene.textures.size());
+  for (const Triangle& t : scene.triangles) {
+    const Material& m = scene.materials[t.material];
+    if (readsTexture(m))
+      read[m.texture] = true;
+  }
+  return read;
+}
+
+/// Two pixels a texel: (r g, b 0) in half floats each. A texture that is not read has no pixels.
 void packTextures(const Scene& scene, PackedScene& packed) {
   using shared::kPixelsPerTexel;
+  const std::vector<bool> read = texturesRead(scene);
   std::size_t first = scene.textures.size() * kPixelsPerTexel;
-  for (const Texture& t : scene.textures) {
+  for (std::size_t i = 0; i < scene.textures.size(); ++i) {
+    const Texture& t = scene.textures[i];
     packed.textures.push_back({static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(t.width),
                                static_cast<std::uint32_t>(t.height), 0U});
-    first += t.texels.size() + t.texels.size() % kPixelsPerTexel;
+    if (read[i])
+      first += t.texels.size() + t.texels.size() % kPixelsPerTexel;
   }
-  for (const Texture& t : scene.textures) {
+  for (std::size_t texture = 0; texture < scene.textures.size(); ++texture) {
+    const Texture& t = scene.textures[texture];
+    if (!read[texture])
+      continue;
     for (std::size_t i = 0; i < t.texels.size(); ++i) {
       if (i % kPixelsPerTexel == 0)
         packed.textures.push_back({});
@@ -167,40 +194,83 @@ void packEnvironment(const EnvironmentMap& map, PackedScene& packed) {
   }
 }
 
+/// A buffer that no code reads is still bound, and one that is read for nothing holds a whole record.
+void fillEmpty(PackedScene& packed) {
+  const auto fill = [](std::vector<Texel>& texels, std::uint32_t record) {
+    if (texels.empty())
+      texels.resize(record);
+  };
+  fill(packed.triangles, shared::kTexelsPerTriangle);
+  fill(packed.normals, shared::kTexelsPerTriangle);
+  fill(packed.materials, shared::kTexelsPerMaterial);
+  fill(packed.lights, shared::kTexelsPerLight);
+  fill(packed.uvs, shared::kTexelsPerUv);
+  fill(packed.textures, 1);
+  fill(packed.environment, shared::kTexelsPerEnvironmentTexel);
+}
+
 } // namespace
 
 BsdfType effectiveBsdf(const Material& m) {
-  if (m.bsdf == BsdfType::Phong && m.specular == Vec3f(0.0F))
+  // Lobes narrower than this are a few hundred ulp wide, too narrow to be evaluated in float; refraction's is
+  // narrower still by the difference of the indices.
+  constexpr float kLeastAlpha = 1e-4F;
+  const bool coated = m.bsdf == BsdfType::Phong || m.bsdf == BsdfType::Microfacet;
+  if (coated && m.specular == Vec3f(0.0F))
     return BsdfType::Diffuse;
+  if (m.bsdf == BsdfType::Mirror && m.reflectance == Vec3f(0.0F))
+    return BsdfType::Diffuse;
+  if (m.bsdf == BsdfType::RoughConductor && m.roughness < kLeastAlpha)
+    return BsdfType::Conductor;
+  const float bend = std::min(1.0F, std::abs(m.intIor / m.extIor - 1.0F));
+  if (m.bsdf == BsdfType::RoughDielectric && m.roughness * bend < kLeastAlpha)
+    return BsdfType::Dielectric;
   return m.bsdf;
+}
+
+bool transmits(const Material& m) {
+  return m.bsdf == BsdfType::Dielectric || m.bsdf == BsdfType::RoughDielectric;
+}
+
+bool isNothing(const Material& m) {
+  return transmits(m) && m.intIor == m.extIor && m.absorption == Vec3f(0.0F) && m.emission == Vec3f(0.0F);
+}
+
+bool readsTexture(const Material& m) {
+  const BsdfType type = effectiveBsdf(m);
+  const bool hasReflectance = type == BsdfType::Diffuse || type == BsdfType::Mirror ||
+                              type == BsdfType::Phong || type == BsdfType::Microfacet;
+  return m.texture != kNoTexture && hasReflectance && m.reflectance != Vec3f(0.0F);
 }
 
 bool scatters(const Material& m) {
   return effectiveBsdf(m) != BsdfType::Diffuse || m.reflectance != Vec3f(0.0F);
 }
 
-PackedScene packScene(const Scene& scene, const EstimatorSettings& estimator, unsigned threads) {
+PackedScene packScene(const Scene& scene, const EstimatorSettings& estimator, const EffectSet& effects,
+                      unsigned threads) {
   PackedScene packed;
-  BvhSettings settings;
-  settings.threads = threads;
-  settings.maxDepth = shared::kMaxStackDepth - 1U;
-  packed.bvh = buildBvh(triangleBounds(scene), settings);
-  packTriangles(scene, packed);
+  packed.bvh = buildOver(scene, threads);
+  packed.leftOut = scene.triangles.size() - packed.bvh.triangleOrder.size();
+  packTriangles(scene, effects.has(Effect::SmoothNormals), packed);
   const LightTable lights = makeLightTable(scene, estimator.light);
   packMaterials(scene, lights, packed);
-  packLights(scene, lights, packed);
-  if (!scene.textures.empty()) {
+  packed.lightChoice = {static_cast<std::uint32_t>(lights.lights.size()),
+                        static_cast<float>(lights.environmentProbability())};
+  if (effects.has(Effect::LightSampling))
+    packLights(scene, lights, packed);
+  if (effects.has(Effect::Textures) && !scene.textures.empty()) {
     packUvs(scene, packed);
     packTextures(scene, packed);
   }
-  if (hasEnvironment(scene))
+  if (effects.has(Effect::Environment) && hasEnvironment(scene))
     packEnvironment(scene.environment, packed);
-  for (auto* texels : {&packed.triangles, &packed.normals, &packed.materials, &packed.lights, &packed.uvs,
-                       &packed.textures, &packed.environment}) {
-    if (texels->empty())
-      texels->push_back({});
-  }
+  fillEmpty(packed);
   return packed;
+}
+
+PackedScene packScene(const Scene& scene, const EstimatorSettings& estimator, unsigned threads) {
+  return packScene(scene, estimator, detectEffects(scene, estimator), threads);
 }
 
 DeviceScene uploadScene(const gpu::Context& context, const PackedScene& packed) {

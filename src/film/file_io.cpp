@@ -148,4 +148,10 @@ void AtomicFile::commit() {
     static_cast<void>(::fsync(folder.get()));
 }
 
+void writeTextFile(const fs::path& path, std::string_view text) {
+  AtomicFile file(path);
+  file.write({reinterpret_cast<const unsigned char*>(text.data()), text.size()});
+  file.commit();
+}
+
 } // namespace vkpt::film

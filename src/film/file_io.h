@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <span>
+#include <string_view>
 #include <vector>
 
 namespace vkpt::film {
@@ -44,5 +45,8 @@ private:
   int m_error = 0; ///< errno of the first failed write
   std::uint64_t m_position = 0;
 };
+
+/// Throws as AtomicFile does.
+void writeTextFile(const fs::path& path, std::string_view text);
 
 } // namespace vkpt::film

@@ -52,8 +52,10 @@ ComputePipeline::ComputePipeline(const Context& context, std::span<const std::ui
     const vk::raii::ShaderModule module(context.device(), {{}, spirv.size_bytes(), spirv.data()});
     const vk::PipelineShaderStageCreateInfo stage({}, vk::ShaderStageFlagBits::eCompute, *module, "main",
                                                   &specialisation);
-    m_pipeline = vk::raii::Pipeline(context.device(), nullptr,
-                                    vk::ComputePipelineCreateInfo({}, stage, bindings.pipelineLayout()));
+    const PipelineCache cache(context, spirv, constants);
+    const vk::ComputePipelineCreateInfo info({}, stage, bindings.pipelineLayout());
+    m_pipeline = vk::raii::Pipeline(context.device(), cache.handle(), info);
+    cache.save();
   } catch (const vk::SystemError& e) {
     throw DeviceError(
         fmt::format("{}: the compute pipeline could not be made: {}", context.info().name, e.what()));

@@ -2,8 +2,8 @@
 // Compute pipelines and the descriptor set they share.
 
 #include "gpu/buffer.h"
+#include "gpu/pipeline_cache.h"
 
-#include <map>
 #include <span>
 #include <vector>
 
@@ -34,9 +34,6 @@ private:
   vk::raii::DescriptorPool m_pool = nullptr;
   vk::raii::DescriptorSets m_sets = nullptr;
 };
-
-/// Values of specialisation constants by id; booleans are 0 or 1.
-using SpecialisationMap = std::map<std::uint32_t, std::uint32_t>;
 
 class ComputePipeline {
 public:

@@ -147,7 +147,8 @@ Context::Context(const ContextOptions& options) try
   m_physical = std::move(devices[chosen]);
   m_info = infos[chosen];
   requireSubgroupArithmetic(m_physical);
-  m_limits = m_physical.getProperties().limits;
+  m_properties = m_physical.getProperties();
+  m_pipelineCache = options.pipelineCache;
   m_memory = m_physical.getMemoryProperties();
 
   const std::uint32_t family = computeQueueFamily(m_physical);

@@ -4,6 +4,7 @@
 #include <vulkan/vulkan_raii.hpp>
 
 #include <atomic>
+#include <filesystem>
 #include <functional>
 #include <memory>
 #include <string>
@@ -19,8 +20,9 @@ struct DeviceInfo {
 };
 
 struct ContextOptions {
-  std::string device;      ///< index or part of a name; empty: a discrete GPU, else any
-  bool validation = false; ///< turn the Khronos validation layer on; an error if it is missing
+  std::string device;                    ///< index or part of a name; empty: a discrete GPU, else any
+  bool validation = false;               ///< turn the Khronos validation layer on; an error if it is missing
+  std::filesystem::path pipelineCache{}; ///< folder of compiled pipelines; empty: none are kept
 };
 
 /// The devices that Vulkan shows, in its order, and which one `options.device` would choose.
@@ -33,9 +35,11 @@ public:
   explicit Context(const ContextOptions& options = {});
 
   [[nodiscard]] const vk::raii::Device& device() const { return m_device; }
-  [[nodiscard]] const vk::PhysicalDeviceLimits& limits() const { return m_limits; }
+  [[nodiscard]] const vk::PhysicalDeviceLimits& limits() const { return m_properties.limits; }
   [[nodiscard]] const vk::PhysicalDeviceMemoryProperties& memory() const { return m_memory; }
   [[nodiscard]] const DeviceInfo& info() const { return m_info; }
+  [[nodiscard]] const vk::PhysicalDeviceProperties& properties() const { return m_properties; }
+  [[nodiscard]] const std::filesystem::path& pipelineCache() const { return m_pipelineCache; }
   /// Bytes of the device's largest memory heap.
   [[nodiscard]] std::uint64_t largestHeap() const;
   /// Messages of the validation layer so far; tests demand none.
@@ -55,9 +59,10 @@ private:
   vk::raii::CommandPool m_pool = nullptr;
   vk::raii::CommandBuffers m_commands = nullptr;
   vk::raii::Fence m_fence = nullptr;
-  vk::PhysicalDeviceLimits m_limits;
+  vk::PhysicalDeviceProperties m_properties;
   vk::PhysicalDeviceMemoryProperties m_memory;
   DeviceInfo m_info;
+  std::filesystem::path m_pipelineCache;
 };
 
 } // namespace vkpt::gpu

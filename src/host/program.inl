@@ -150,6 +150,7 @@ public:
   void reportClosestRay() { ++counters.raysClosest; }
   void reportShadowRay(bool traced) { counters.raysShadow += traced ? 1U : 0U; }
   void reportCappedPath() { ++counters.cappedPaths; }
+  void reportInvalidPdf() { ++counters.invalidPdf; }
   void recordKind(uint kind, const Vec3& L) {
     if (isFinite(L.x) && isFinite(L.y) && isFinite(L.z))
       kinds[kind] += Vec3d(L);
@@ -158,16 +159,20 @@ public:
 
 #include "lib/library.glsl"
 
+  /// The start of sample number `sample` of a pixel.
+  Path samplePath(uint x, uint y, std::uint64_t sample) {
+    const uint key = m_frame.seed ^ (static_cast<uint>(sample >> 32U) * 0x9E3779B9U);
+    return cameraPath(y * m_frame.width + x, x, y, static_cast<uint>(sample), key);
+  }
+
   /// What path.comp does for one lane: samples [firstSample, firstSample + count) of a pixel, summed in Float
   /// within groups of kSamplesPerGroup, the groups merged in double.
   void samplePixel(uint x, uint y, std::uint64_t firstSample, std::uint64_t count, PixelMoments& moments) {
-    const uint pixel = y * m_frame.width + x;
     Vec3 mean(0);
     Vec3 deviations(0);
     uint inGroup = 0;
     for (std::uint64_t i = firstSample; i < firstSample + count; ++i) {
-      const uint key = m_frame.seed ^ (static_cast<uint>(i >> 32U) * 0x9E3779B9U);
-      Path path = cameraPath(pixel, x, y, static_cast<uint>(i), key);
+      Path path = samplePath(x, y, i);
       while (Li(path)) {
       }
       Vec3 L = sampleValue(path);
@@ -197,6 +202,7 @@ private:
 };
 
 #include "host/render_with.inl"
+#include "host/replay_with.inl"
 
 #undef INOUT
 #undef OUT

@@ -5,6 +5,7 @@
 #include "film/film.h"
 #include "host/effect_flags.h"
 #include "host/reference.h"
+#include "host/replay.h"
 #include "shared/structs.h"
 
 #include <array>

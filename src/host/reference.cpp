@@ -8,6 +8,7 @@ HostCounters& HostCounters::operator+=(const HostCounters& other) {
   cappedPaths += other.cappedPaths;
   nonFinite += other.nonFinite;
   cutTraversal += other.cutTraversal;
+  invalidPdf += other.invalidPdf;
   return *this;
 }
 

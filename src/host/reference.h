@@ -15,15 +15,16 @@ struct HostSettings {
   std::uint32_t seed = 0;
 };
 
-/// As the device's counters; faults are nonFinite and cutTraversal.
+/// As the device's counters; faults are nonFinite, cutTraversal and invalidPdf.
 struct HostCounters {
   std::uint64_t raysClosest = 0;
   std::uint64_t raysShadow = 0;
   std::uint64_t cappedPaths = 0;
   std::uint64_t nonFinite = 0;
   std::uint64_t cutTraversal = 0;
+  std::uint64_t invalidPdf = 0;
   HostCounters& operator+=(const HostCounters& other);
-  [[nodiscard]] std::uint64_t faults() const { return nonFinite + cutTraversal; }
+  [[nodiscard]] std::uint64_t faults() const { return nonFinite + cutTraversal + invalidPdf; }
 };
 
 struct HostRender {

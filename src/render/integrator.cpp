@@ -1,6 +1,7 @@
 #include "render/integrator.h"
 
 #include "device/camera_frame.h"
+#include "render/memory_plan.h"
 #include "spirv.h"
 
 #include <algorithm>
@@ -100,11 +101,9 @@ void Integrator::reserveSlots(std::uint32_t slots) {
   if (slots <= m_slots)
     return;
   m_slots = std::bit_ceil(slots);
-  const std::uint32_t planes = kPathPlanes + m_settings.estimator.splitDepth * kBranchPlanes;
-  const vk::DeviceSize bytes = vk::DeviceSize{m_slots} * planes * sizeof(Texel);
-  m_paths = gpu::Buffer(m_context, "path states", bytes, vk::BufferUsageFlagBits::eStorageBuffer,
-                        gpu::MemoryKind::Device);
-  m_slotLists = gpu::Buffer(m_context, "slot lists", vk::DeviceSize{m_slots} * 2 * sizeof(std::uint32_t),
+  m_paths = gpu::Buffer(m_context, "path states", pathStateBytes(m_slots, m_settings.estimator.splitDepth),
+                        vk::BufferUsageFlagBits::eStorageBuffer, gpu::MemoryKind::Device);
+  m_slotLists = gpu::Buffer(m_context, "slot lists", slotListBytes(m_slots),
                             vk::BufferUsageFlagBits::eStorageBuffer, gpu::MemoryKind::Device);
   m_bindings.bind(m_context, kBindingPaths, m_paths, DescriptorType::eStorageBuffer);
   m_bindings.bind(m_context, kBindingSlots, m_slotLists, DescriptorType::eStorageBuffer);
@@ -135,7 +134,19 @@ Counters Integrator::tracePaths(const Dispatch& job) {
   m_counters.stackOverflow += c.stackOverflow;
   m_counters.invalidPdf += c.invalidPdf;
   ++m_counters.dispatches;
+  keepFaults(c, job);
   return c;
+}
+
+void Integrator::keepFaults(const Counters& c, const Dispatch& job) {
+  const std::uint32_t recorded = std::min(c.faultRecords, kMaxFaultRecords);
+  for (std::uint32_t i = 0; i < recorded && m_faults.size() < kMaxFaultRecords; ++i) {
+    const FaultRecord& r = c.records[i];
+    const auto width = static_cast<std::uint32_t>(m_settings.width);
+    m_faults.push_back({static_cast<int>(r.pixel % width), static_cast<int>(r.pixel / width),
+                        (std::uint64_t{job.firstSampleHigh} << 32U) | r.sampleLow, r.bounce,
+                        static_cast<FaultCause>(r.cause)});
+  }
 }
 
 std::uint64_t Integrator::renderTile(const Tile& tile, std::uint64_t firstSample, std::uint32_t count) {
@@ -167,6 +178,15 @@ std::uint64_t Integrator::renderTile(const Tile& tile, std::uint64_t firstSample
 void Integrator::clear() {
   m_film.clear(m_context);
   m_kinds.clear(m_context);
+}
+
+void Integrator::restart(std::uint32_t seed) {
+  m_settings.seed = seed;
+  m_constants.seed = seed;
+  m_constantsBuffer.write(m_context, std::as_bytes(std::span{&m_constants, 1}));
+  clear();
+  m_counters = {};
+  m_faults.clear();
 }
 
 std::vector<std::vector<Vec3d>> Integrator::kindImages(const Film& film) const {

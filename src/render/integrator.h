@@ -25,6 +25,21 @@ struct RunCounters {
   [[nodiscard]] std::uint64_t faults() const { return nonFinite + cutTraversal + stackOverflow + invalidPdf; }
 };
 
+enum class FaultCause : std::uint32_t {
+  NonFinite = shared::kFaultNonFinite,
+  CutTraversal = shared::kFaultCutTraversal,
+  InvalidPdf = shared::kFaultInvalidPdf,
+};
+
+/// Where a fault happened: enough to trace the path again.
+struct Fault {
+  int x = 0;
+  int y = 0;
+  std::uint64_t sample = 0;
+  std::uint32_t bounce = 0;
+  FaultCause cause = FaultCause::NonFinite;
+};
+
 /// Blocks of 8x8 pixels in striped order (device_memory.glsl: pixelOfSlot).
 struct Tile {
   std::uint32_t firstBlock = 0;
@@ -55,11 +70,15 @@ public:
   /// Makes the driver compile what it compiles at the first use.
   void warmUp();
   void clear();
+  /// As if made anew with this seed, but compiled.
+  void restart(std::uint32_t seed);
 
   [[nodiscard]] Film film() const { return m_film.download(m_context); }
   /// Mean radiance of each kind of light path, by pixel; empty unless settings.estimator.kindImages.
   [[nodiscard]] std::vector<std::vector<Vec3d>> kindImages(const Film& film) const;
   [[nodiscard]] const RunCounters& counters() const { return m_counters; }
+  /// The first kMaxFaultRecords faults.
+  [[nodiscard]] const std::vector<Fault>& faults() const { return m_faults; }
   [[nodiscard]] const IntegratorSettings& settings() const { return m_settings; }
   [[nodiscard]] std::uint64_t filmBytes() const { return m_film.bytes() + m_kinds.bytes(); }
 
@@ -67,6 +86,7 @@ private:
   void reserveSlots(std::uint32_t slots);
   void dispatch(const gpu::ComputePipeline& pipeline, const shared::Dispatch& job) const;
   shared::Counters tracePaths(const shared::Dispatch& job);
+  void keepFaults(const shared::Counters& counters, const shared::Dispatch& job);
 
   const gpu::Context& m_context;
   IntegratorSettings m_settings;
@@ -82,6 +102,7 @@ private:
   DeviceFilm m_film;
   DeviceKinds m_kinds;
   RunCounters m_counters;
+  std::vector<Fault> m_faults;
 };
 
 } // namespace vkpt

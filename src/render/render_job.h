@@ -11,6 +11,9 @@ enum class StopReason { Frames, Time, Error, User, Fault };
 /// The promised names: "frames", "time", "error", "user", "fault".
 const char* stopReasonName(StopReason reason);
 
+inline constexpr std::uint32_t kMostTileBlocks =
+    16384; ///< in a unit of work: 2^20 slots, 96 MB of path states
+
 struct RenderJob {
   std::optional<std::uint64_t> frames; ///< samples for every pixel
   std::optional<double> seconds;       ///< of rendering

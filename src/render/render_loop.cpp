@@ -10,7 +10,8 @@ namespace vkpt {
 namespace {
 
 constexpr std::uint64_t kNoLimit = std::numeric_limits<std::uint64_t>::max();
-constexpr std::uint64_t kFirstErrorCheck = 16; // frames; a variance of fewer samples says little
+constexpr std::uint64_t kFirstLook = 16;    // frames; a variance of fewer samples says little
+constexpr double kMostOfTimeLooking = 0.01; // where no rule needs the looks
 
 /// One run's state: what has been done, and what the rules say of it.
 class Run {
@@ -41,10 +42,13 @@ public:
     m_frames = static_cast<double>(m_frame);
     if (m_frame >= m_job.frames.value_or(kNoLimit))
       return StopReason::Frames;
+    look();
     return errorReached() ? std::optional(StopReason::Error) : std::nullopt;
   }
 
-  [[nodiscard]] RenderResult result(StopReason stop) const { return {stop, m_clock.seconds(), m_frames}; }
+  [[nodiscard]] RenderResult result(StopReason stop) const {
+    return {stop, m_clock.seconds(), m_frames, m_looks};
+  }
 
 private:
   /// Batches never straddle a group of samples.
@@ -59,17 +63,25 @@ private:
       return m_job.tileBlocks;
     const double left = m_job.seconds.value_or(1e9) - m_clock.seconds();
     const std::uint64_t samples = m_sizer.nextWithin(left);
-    return static_cast<std::uint32_t>(
-        std::clamp<std::uint64_t>(samples / (std::uint64_t{shared::kBlockPixels} * batch), 1, kMostBlocks));
+    return static_cast<std::uint32_t>(std::clamp<std::uint64_t>(
+        samples / (std::uint64_t{shared::kBlockPixels} * batch), 1, kMostTileBlocks));
   }
 
   /// The film is looked at when the number of frames has grown by a half: often enough, and at little cost.
-  bool errorReached() {
-    if (!m_job.targetError || m_frame < m_nextErrorCheck)
-      return false;
-    m_nextErrorCheck = m_frame + std::max<std::uint64_t>(m_frame / 2, 1);
-    m_error = filmStatistics(m_integrator.film()).relativeErrorUpper; // 95 % confident
-    return *m_error <= *m_job.targetError;
+  void look() {
+    const bool afford = m_lookSeconds <= kMostOfTimeLooking * m_clock.seconds();
+    if (m_frame < m_nextLook || !(m_job.targetError || afford))
+      return;
+    m_nextLook = m_frame + std::max<std::uint64_t>(m_frame / 2, 1);
+    const Stopwatch watch;
+    const FilmStatistics film = filmStatistics(m_integrator.film());
+    m_lookSeconds = watch.seconds();
+    m_error = film.relativeErrorUpper; // 95 % confident
+    m_looks.push_back({m_frames, film.relativeError});
+  }
+
+  [[nodiscard]] bool errorReached() const {
+    return m_job.targetError && m_error && *m_error <= *m_job.targetError;
   }
 
   void report() {
@@ -85,14 +97,13 @@ private:
       sooner(*m_job.seconds - p.seconds);
     if (m_job.frames)
       sooner(p.seconds * (static_cast<double>(*m_job.frames) / m_frames - 1.0));
-    if (m_error) { // independent samples: the error falls with the square root of their number
+    if (m_error &&
+        m_job.targetError) { // independent samples: the error falls with the square root of their number
       const double factor = *m_error / *m_job.targetError;
       sooner(p.seconds * (factor * factor - 1.0));
     }
     m_observer.onProgress(p);
   }
-
-  static constexpr std::uint64_t kMostBlocks = 16384; // 2^20 slots: 96 MB of path states
 
   Integrator& m_integrator;
   const RenderJob& m_job;
@@ -102,8 +113,10 @@ private:
   DispatchSizer m_sizer;
   std::uint64_t m_frame = 0; // finished for every pixel
   double m_frames = 0.0;
-  std::uint64_t m_nextErrorCheck = kFirstErrorCheck;
+  std::uint64_t m_nextLook = kFirstLook;
+  double m_lookSeconds = 0.0; // that the last look took
   std::optional<double> m_error;
+  std::vector<ErrorAtWork> m_looks;
 };
 
 } // namespace
@@ -129,8 +142,10 @@ RenderResult renderUntil(Integrator& integrator, Film& film, const RenderJob& jo
   std::optional<StopReason> stop;
   while (!stop)
     stop = run.renderBatch();
-  const RenderResult result = run.result(*stop);
+  RenderResult result = run.result(*stop);
   film = integrator.film();
+  if (result.looks.empty() || result.looks.back().work < result.frames)
+    result.looks.push_back({result.frames, filmStatistics(film).relativeError});
   return result;
 }
 

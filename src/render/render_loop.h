@@ -1,7 +1,10 @@
 #pragma once
 // The render loop: the one place where iterations are dispatched until a rule stops them.
 
+#include "film/power_law.h"
 #include "render/render_job.h"
+
+#include <vector>
 
 namespace vkpt {
 
@@ -26,6 +29,8 @@ struct RenderResult {
   StopReason stop = StopReason::Frames;
   double seconds = 0.0;
   double frames = 0.0; ///< samples per pixel; a whole number unless a batch was left unfinished
+  /// The film's relative error after so many frames, looked at now and then; the last one at the end.
+  std::vector<ErrorAtWork> looks;
 };
 
 /// Renders until a rule of `job` is met, whichever is first; then leaves the film in `film`.

@@ -1,12 +1,10 @@
 #include "scene/assemble.h"
 
+#include "scene/compactor.h"
 #include "scene/placement.h"
-#include "scene/polygon.h"
 #include "scene/smooth_normals.h"
 
 #include <algorithm>
-#include <cmath>
-#include <span>
 
 #include <fmt/format.h>
 
@@ -14,41 +12,7 @@ namespace vkpt {
 
 namespace {
 
-/// ab == cd in exact arithmetic.
-bool sameProducts(double a, double b, double c, double d) {
-  const double ab = a * b;
-  const double cd = c * d;
-  return ab == cd && std::fma(a, b, -ab) == std::fma(c, d, -cd);
-}
-
-/// Exact for what the renderer gets, the float coordinates, unless the coordinates of one corner are 2^29
-/// times those of another and their difference is rounded.
-bool hasNoArea(const Vec3f& a, const Vec3f& b, const Vec3f& c) {
-  const Vec3d u = Vec3d(b) - Vec3d(a);
-  const Vec3d v = Vec3d(c) - Vec3d(a);
-  return sameProducts(u.x, v.y, u.y, v.x) && sameProducts(u.y, v.z, u.z, v.y) &&
-         sameProducts(u.z, v.x, u.x, v.z);
-}
-
 std::string stem(const SceneText& source) { return fs::path(source.fileName).stem().string(); }
-
-/// Maps indices of a file to the scene's, in the order of first use.
-class Compactor {
-public:
-  explicit Compactor(std::size_t count) : m_map(count, kUnused) {}
-
-  template<class Append>
-  std::uint32_t operator()(std::uint32_t index, const Append& append) {
-    if (m_map[index] == kUnused) {
-      m_map[index] = append(index);
-    }
-    return m_map[index];
-  }
-
-private:
-  static constexpr std::uint32_t kUnused = 0xFFFFFFFFU;
-  std::vector<std::uint32_t> m_map;
-};
 
 } // namespace
 
@@ -59,14 +23,13 @@ void SceneAssembler::add(const SceneText& source) {
     face.material = materials[face.material];
   }
   applyPlacement(source, mesh);
-  File file{source.name, m_scene.triangles.size(), {}};
-  std::vector<Triangle> triangles = cutFaces(source, mesh, file);
+  CutFaces faces = cutFaces(source.name, mesh, m_report.warnings);
   if (mesh.normals.empty()) {
-    smooth(source, mesh, triangles);
+    smooth(source, mesh, faces.triangles);
   }
-  layTextures(source, mesh, file, triangles);
-  append(mesh, std::move(triangles));
-  m_files.push_back(std::move(file));
+  layTextures(source, mesh, faces);
+  m_parts.push_back({source.name, m_scene.triangles.size(), std::move(faces.lines)});
+  append(mesh, std::move(faces.triangles));
   m_scene.name.append(m_scene.name.empty() ? "" : "+").append(stem(source));
 }
 
@@ -90,50 +53,6 @@ void SceneAssembler::applyPlacement(const SceneText& source, ObjMesh& mesh) {
   }
 }
 
-std::vector<Triangle> SceneAssembler::cutFaces(const SceneText& source, const ObjMesh& mesh, File& file) {
-  std::vector<Triangle> triangles;
-  triangles.reserve(mesh.faces.size());
-  std::vector<Vec3d> outline;
-  std::vector<std::array<std::uint32_t, 3>> cut;
-  for (const ObjFace& face : mesh.faces) {
-    const std::span<const ObjCorner> corners(mesh.corners.data() + face.firstCorner, face.cornerCount);
-    outline.clear();
-    for (const ObjCorner& corner : corners) {
-      outline.push_back(mesh.positions[corner.vertex]);
-    }
-    cut.clear();
-    const PolygonKind kind = triangulate(outline, cut);
-    const SourceLocation where{source.name, face.line};
-    if (kind == PolygonKind::TooLarge) {
-      throw SceneError(where,
-                       fmt::format("a concave face with {} corners; at most {}, so cut it into smaller ones",
-                                   corners.size(), kMostConcaveCorners));
-    }
-    if (kind == PolygonKind::Crossed) {
-      m_report.warnings.push_back(
-          fmt::format("{}: the face crosses itself or is a line; cut into a fan", where.text()));
-    }
-    for (const auto& t : cut) {
-      Triangle triangle;
-      triangle.material = face.material;
-      bool hasNormals = true;
-      for (std::size_t i = 0; i < 3; ++i) {
-        const ObjCorner& corner = corners[t[i]];
-        triangle.vertex[i] = corner.vertex;
-        triangle.normal[i] = corner.normal;
-        triangle.uv[i] = corner.uv;
-        hasNormals = hasNormals && corner.normal != kNoNormal && mesh.normals[corner.normal] != Vec3d(0.0);
-      }
-      if (!hasNormals) {
-        triangle.normal = {kNoNormal, kNoNormal, kNoNormal};
-      }
-      triangles.push_back(triangle);
-      file.lines.push_back(face.line);
-    }
-  }
-  return triangles;
-}
-
 void SceneAssembler::smooth(const SceneText& source, ObjMesh& mesh, std::vector<Triangle>& triangles) {
   std::size_t count = 0;
   mesh.normals = makeSmoothNormals(mesh.positions, triangles, count);
@@ -144,19 +63,18 @@ void SceneAssembler::smooth(const SceneText& source, ObjMesh& mesh, std::vector<
 }
 
 /// Texture coordinates where there is a texture, and nowhere else.
-void SceneAssembler::layTextures(const SceneText& source, ObjMesh& mesh, const File& file,
-                                 std::vector<Triangle>& triangles) {
+void SceneAssembler::layTextures(const SceneText& source, ObjMesh& mesh, CutFaces& faces) {
   const auto zero = static_cast<std::uint32_t>(mesh.uvs.size());
   std::size_t missing = 0;
   std::size_t firstLine = 0;
-  for (std::size_t i = 0; i < triangles.size(); ++i) {
-    Triangle& t = triangles[i];
+  for (std::size_t i = 0; i < faces.triangles.size(); ++i) {
+    Triangle& t = faces.triangles[i];
     if (m_scene.materials[t.material].texture == kNoTexture) {
       t.uv = {kNoUv, kNoUv, kNoUv};
     } else if (std::ranges::find(t.uv, kNoUv) != t.uv.end()) {
       t.uv = {zero, zero, zero};
       if (missing++ == 0) {
-        firstLine = file.lines[i];
+        firstLine = faces.lines[i];
       }
     }
   }
@@ -201,49 +119,9 @@ void SceneAssembler::append(const ObjMesh& mesh, std::vector<Triangle> triangles
 }
 
 Scene SceneAssembler::finish() {
-  Box3d box;
-  for (const Vec3d& p : m_world) {
-    box.extend(p);
-  }
-  m_scene.origin = box.centre();
-  m_scene.positions.reserve(m_world.size());
-  for (const Vec3d& p : m_world) {
-    m_scene.positions.emplace_back(p - m_scene.origin);
-  }
-  m_scene.camera = fitCamera(box);
-  dropDegenerate();
+  m_scene.camera = fitCamera(recentre(m_scene, m_world));
+  dropDegenerate(m_scene, m_parts, m_report);
   return std::move(m_scene);
-}
-
-void SceneAssembler::dropDegenerate() {
-  std::vector<Triangle> kept;
-  kept.reserve(m_scene.triangles.size());
-  for (const File& file : m_files) {
-    std::size_t dropped = 0;
-    std::size_t firstLine = 0;
-    for (std::size_t i = 0; i < file.lines.size(); ++i) {
-      const Triangle& t = m_scene.triangles[file.firstTriangle + i];
-      const auto& p = m_scene.positions;
-      if (!hasNoArea(p[t.vertex[0]], p[t.vertex[1]], p[t.vertex[2]])) {
-        kept.push_back(t);
-      } else if (dropped++ == 0) {
-        firstLine = file.lines[i];
-      }
-    }
-    if (dropped > 0) {
-      m_report.droppedDegenerate += dropped;
-      m_report.warnings.push_back(
-          fmt::format("{}: {} triangle{} of zero area dropped{}", SourceLocation{file.name, firstLine}.text(),
-                      dropped, dropped == 1 ? "" : "s", dropped == 1 ? "" : ", the first here"));
-    }
-  }
-  if (kept.empty()) {
-    throw SceneError({m_files.front().name},
-                     fmt::format("no faces with an area (all {} triangles have none); "
-                                 "give at least one",
-                                 m_scene.triangles.size()));
-  }
-  m_scene.triangles = std::move(kept);
 }
 
 } // namespace vkpt

@@ -1,3 +1,4 @@
+#include "scene/limits.h"
 #include "scene/materials.h"
 #include "scene/names.h"
 
@@ -16,9 +17,6 @@ constexpr int kDefaultIllum = 2;
 // No exponent is known to be the framework's: the widest lobe, with a warning.
 constexpr double kDefaultExponent = 0.0;
 
-// Squares of the index, and of its inverse, are to stay in the range of float.
-constexpr double kLeastIor = 1e-6;
-constexpr double kLargestIor = 1e6;
 constexpr double kLargestExponent = 1e6;
 // Per unit of length: nothing is left after a millionth of that, and products with lengths stay finite.
 constexpr double kLargestAbsorption = 1e6;

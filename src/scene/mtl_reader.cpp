@@ -1,5 +1,6 @@
 #include "scene/mtl_reader.h"
 
+#include "scene/limits.h"
 #include "scene/names.h"
 #include "scene/statements.h"
 #include "scene/texture_arguments.h"
@@ -208,9 +209,6 @@ private:
       m.illum = values.illum;
     }
   }
-
-  /// Products of a few such values stay in the range of float.
-  static constexpr double kLargestColour = 1e12;
 
   const SceneText& m_source;
   std::vector<std::string>& m_warnings;

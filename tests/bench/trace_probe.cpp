@@ -1,5 +1,6 @@
 #include "trace_probe.h"
 
+#include "device/effects.h"
 #include "shared/structs.h"
 #include "spirv.h"
 
@@ -18,6 +19,8 @@ constexpr std::uint32_t kBindingResults = kBindingCount + 1;
 constexpr std::uint32_t kConstantShadow = 100;
 
 constexpr auto kLayout = std::to_array<gpu::BindingLayout>({
+    {kBindingFrame, DescriptorType::eUniformBuffer},
+    {kBindingCounters, DescriptorType::eStorageBuffer},
     {kBindingNodes, DescriptorType::eStorageTexelBuffer},
     {kBindingTriangles, DescriptorType::eStorageTexelBuffer},
     {kBindingRays, DescriptorType::eStorageTexelBuffer},
@@ -31,10 +34,18 @@ TraceProbe::TraceProbe(const gpu::Context& context, const DeviceScene& scene,
     : m_context(context), m_count(static_cast<std::uint32_t>(rays.size())),
       m_bindings(context, kLayout, sizeof(Dispatch)),
       m_pipeline(context, spirv::kTrace, m_bindings,
-                 {{kConstantStackDepth, scene.stackDepth}, {kConstantShadow, shadow ? 1U : 0U}}),
+                 {{kConstantStackDepth, scene.stackDepth},
+                  {kConstantShadow, shadow ? 1U : 0U},
+                  {static_cast<std::uint32_t>(Effect::LightSamples), 0U}}),
+      m_frame(context, "frame constants", sizeof(FrameConstants), vk::BufferUsageFlagBits::eUniformBuffer,
+              gpu::MemoryKind::Device),
+      m_counters(context, "counters", sizeof(Counters), vk::BufferUsageFlagBits::eStorageBuffer,
+                 gpu::MemoryKind::Device),
       m_rays(context, "recorded rays", std::as_bytes(std::span{rays})),
       m_results(context, "results", rays.size() * sizeof(float), vk::BufferUsageFlagBits::eStorageBuffer,
                 gpu::MemoryKind::Device) {
+  m_bindings.bind(context, kBindingFrame, m_frame, DescriptorType::eUniformBuffer);
+  m_bindings.bind(context, kBindingCounters, m_counters, DescriptorType::eStorageBuffer);
   m_bindings.bind(context, kBindingNodes, scene.nodes);
   m_bindings.bind(context, kBindingTriangles, scene.triangles);
   m_bindings.bind(context, kBindingRays, m_rays);

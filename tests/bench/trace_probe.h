@@ -20,6 +20,8 @@ private:
   std::uint32_t m_count;
   gpu::BindingSet m_bindings;
   gpu::ComputePipeline m_pipeline;
+  gpu::Buffer m_frame;    ///< the traversal alone reads nothing of it
+  gpu::Buffer m_counters; ///< faults would be recorded here
   gpu::TexelBuffer m_rays;
   gpu::Buffer m_results;
 };

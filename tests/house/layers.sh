@@ -16,7 +16,8 @@ device  core decode gpu scene accel
 render  core decode gpu scene accel device film
 host    core decode scene accel film device
 study   core decode gpu scene accel device film render
-app     core decode gpu scene accel device film render host study
+selftest core decode gpu scene accel film device render host
+app     core decode gpu scene accel device film render host study selftest
 '
 names=$(awk '{print $1}' <<<"$diagram")
 bad=0

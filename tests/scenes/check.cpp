@@ -89,7 +89,9 @@ void Trial::expectEqualMeans(const Film& a, const Film& b, double tolerance, con
 
 std::vector<Check> allChecks() {
   std::vector<Check> checks;
-  for (const auto& some : {filmChecks(), materialChecks(), lightChecks(), pathChecks()})
+  for (const auto& some : {filmChecks(), materialChecks(), lightChecks(), deltaChecks(), surfaceChecks(),
+                           phongChecks(), environmentChecks(), filterChecks(), rouletteChecks(), kindChecks(),
+                           splittingChecks(), strategyChecks(), pathChecks()})
     checks.insert(checks.end(), some.begin(), some.end());
   return checks;
 }

@@ -54,6 +54,15 @@ std::span<const Check> lightChecks();
 std::span<const Check> materialChecks();
 std::span<const Check> pathChecks();
 std::span<const Check> filmChecks();
+std::span<const Check> deltaChecks();
+std::span<const Check> environmentChecks();
+std::span<const Check> filterChecks();
+std::span<const Check> kindChecks();
+std::span<const Check> phongChecks();
+std::span<const Check> rouletteChecks();
+std::span<const Check> splittingChecks();
+std::span<const Check> strategyChecks();
+std::span<const Check> surfaceChecks();
 /// All of them, cheap ones first.
 std::vector<Check> allChecks();
 const Check& checkNamed(const std::string& name);

@@ -30,11 +30,11 @@ IntegratorSettings integratorSettings(const RenderSetup& setup) {
 
 } // namespace
 
-Studio::Studio(const gpu::Context& context, const Scene& scene, const RenderSetup& setup)
-    : m_setup(setup), m_scene(uploadScene(context, packScene(scene, setup.estimator, 1))),
-      m_integrator(std::make_unique<Integrator>(context, m_scene, scene,
-                                                setup.effects.value_or(detectEffects(scene, setup.estimator)),
-                                                integratorSettings(setup))) {}
+Studio::Studio(const gpu::Context& context, const Scene& scene, const RenderSetup& setup) : m_setup(setup) {
+  const EffectSet effects = setup.effects.value_or(detectEffects(scene, setup.estimator));
+  m_scene = uploadScene(context, packScene(scene, setup.estimator, effects, 1));
+  m_integrator = std::make_unique<Integrator>(context, m_scene, scene, effects, integratorSettings(setup));
+}
 
 Rendered Studio::render() {
   RenderJob job;
@@ -97,12 +97,7 @@ EstimatorSettings withBounces(EstimatorSettings settings, std::uint32_t bounces)
   return settings;
 }
 
-EffectSet everyEffect() {
-  EffectSet set;
-  for (const EffectInfo& e : allEffects())
-    set.set(e.effect);
-  return set;
-}
+EffectSet everyEffect() { return EffectSet::all(); }
 
 void RenderTest::SetUp() { m_messagesBefore = sharedContext().validationMessages(); }
 

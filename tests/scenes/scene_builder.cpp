@@ -1,5 +1,6 @@
 #include "scenes/scene_builder.h"
 
+#include <algorithm>
 #include <cmath>
 #include <complex>
 
@@ -37,6 +38,42 @@ Material metal(const Vec3f& eta, const Vec3f& k) {
   m.bsdf = BsdfType::Conductor;
   m.eta = eta;
   m.k = k;
+  return m;
+}
+
+Material phong(const Vec3f& kd, const Vec3f& ks, float exponent) {
+  Material m;
+  m.bsdf = BsdfType::Phong;
+  m.reflectance = kd;
+  m.specular = ks;
+  m.exponent = exponent;
+  return m;
+}
+
+Material microfacet(const Vec3f& kd, float alpha, float ior) {
+  Material m;
+  m.bsdf = BsdfType::Microfacet;
+  m.reflectance = kd;
+  m.specular = Vec3f(1.0F - std::max({kd.x, kd.y, kd.z}));
+  m.roughness = alpha;
+  m.distribution = MicrofacetDistribution::Beckmann;
+  m.intIor = ior;
+  return m;
+}
+
+Material roughMetal(const Vec3f& eta, const Vec3f& k, float alpha, MicrofacetDistribution distribution) {
+  Material m = metal(eta, k);
+  m.bsdf = BsdfType::RoughConductor;
+  m.roughness = alpha;
+  m.distribution = distribution;
+  return m;
+}
+
+Material roughGlass(float ior, float alpha, MicrofacetDistribution distribution) {
+  Material m = glass(ior);
+  m.bsdf = BsdfType::RoughDielectric;
+  m.roughness = alpha;
+  m.distribution = distribution;
   return m;
 }
 

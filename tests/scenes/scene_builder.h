@@ -18,6 +18,13 @@ Material emitter(const Vec3f& emission);
 Material mirror(const Vec3f& reflectance);
 Material glass(float ior);
 Material metal(const Vec3f& eta, const Vec3f& k);
+Material phong(const Vec3f& kd, const Vec3f& ks, float exponent);
+/// Nori's: kd below a coat of roughness alpha, ks = 1 - max(kd).
+Material microfacet(const Vec3f& kd, float alpha, float ior);
+Material roughMetal(const Vec3f& eta, const Vec3f& k, float alpha,
+                    MicrofacetDistribution distribution = MicrofacetDistribution::Ggx);
+Material roughGlass(float ior, float alpha,
+                    MicrofacetDistribution distribution = MicrofacetDistribution::Ggx);
 
 enum class Facing { Inward, Outward };
 

@@ -12,15 +12,6 @@ EstimatorSettings findingLightBy(LightStrategy light) {
 }
 EstimatorSettings misSampling() { return findingLightBy(LightStrategy::Mis); }
 
-Material glossy(const Vec3f& diffuse, const Vec3f& specular, float exponent) {
-  Material m;
-  m.bsdf = BsdfType::Phong;
-  m.reflectance = diffuse;
-  m.specular = specular;
-  m.exponent = exponent;
-  return m;
-}
-
 void addPointLight(Scene& scene, const Vec3d& position, const Vec3f& intensity) {
   scene.pointLights.push_back({{}, Vec3f(position - scene.origin), intensity});
 }
@@ -68,6 +59,14 @@ Vec3d skyIrradiance(const EnvironmentMap& map, const Vec3d& n) {
   return irradiance;
 }
 
+Texture textureOf(int width, int height, const std::vector<Vec3f>& texels) {
+  Texture t;
+  t.width = width;
+  t.height = height;
+  t.texels = texels;
+  return t;
+}
+
 void textureLastQuad(Scene& scene, const Texture& texture, const std::array<Vec2f, 4>& uv) {
   const auto first = static_cast<std::uint32_t>(scene.uvs.size());
   scene.uvs.insert(scene.uvs.end(), uv.begin(), uv.end());
@@ -106,7 +105,7 @@ Scene variety() {
   Scene scene =
       SceneBuilder()
           .box({-0.9, 0.05, -0.5}, {-0.2, 0.6, 0.2}, Facing::Outward, tinted)
-          .box({0.0, 0.0, -0.9}, {0.4, 0.5, -0.5}, Facing::Outward, glossy(Vec3f(0.3F), Vec3f(0.5F), 40.0F))
+          .box({0.0, 0.0, -0.9}, {0.4, 0.5, -0.5}, Facing::Outward, phong(Vec3f(0.3F), Vec3f(0.5F), 40.0F))
           .quad({-1.4, 0.0, -1.2}, {0.2, 0.0, -1.4}, {0.2, 1.4, -1.4}, {-1.4, 1.4, -1.2},
                 mirror({0.9F, 0.8F, 0.7F}))
           .quad({0.4, 0.0, -1.2}, {1.2, 0.0, -0.6}, {1.2, 0.9, -0.6}, {0.4, 0.9, -1.2},
@@ -116,8 +115,7 @@ Scene variety() {
           .floor({0.0, 0.0, 0.0}, 1.5, diffuse({0.8F, 0.7F, 0.6F}))
           .camera(lookAt({0.2, 1.3, 2.6}, {0.0, 0.3, -0.2}, 48.0))
           .build();
-  textureLastQuad(scene,
-                  {"checks", {}, 2, 2, {{1.0F, 0.5F, 0.5F}, Vec3f(0.3F), Vec3f(0.4F), {0.5F, 0.6F, 1.0F}}},
+  textureLastQuad(scene, textureOf(2, 2, {{1.0F, 0.5F, 0.5F}, Vec3f(0.3F), Vec3f(0.4F), {0.5F, 0.6F, 1.0F}}),
                   {Vec2f(0.0F), {3.0F, 0.0F}, {3.0F, 3.0F}, {0.0F, 3.0F}});
   addPointLight(scene, {-1.2, 1.2, 1.0}, {0.5F, 0.6F, 0.9F});
   addDirectionalLight(scene, {-0.3, -1.0, -0.6}, {0.4F, 0.4F, 0.3F});

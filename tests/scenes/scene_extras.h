@@ -17,9 +17,6 @@ inline constexpr NamedStrategy kStrategies[] = {
 EstimatorSettings findingLightBy(LightStrategy light);
 EstimatorSettings misSampling();
 
-/// Phong's model: kd, ks and the exponent.
-Material glossy(const Vec3f& diffuse, const Vec3f& specular, float exponent);
-
 /// In the scene's world coordinates.
 void addPointLight(Scene& scene, const Vec3d& position, const Vec3f& intensity);
 void addDirectionalLight(Scene& scene, const Vec3d& direction, const Vec3f& irradiance);
@@ -31,6 +28,7 @@ Vec3d radianceFrom(const EnvironmentMap& map, const Vec3d& direction);
 /// Irradiance of a surface with unit normal `n`, open to the whole sky above it: midpoint quadrature.
 Vec3d skyIrradiance(const EnvironmentMap& map, const Vec3d& n);
 
+Texture textureOf(int width, int height, const std::vector<Vec3f>& texels);
 /// Puts a texture on the quad that the scene's last two triangles make, (u, v) given for its corners a to d.
 void textureLastQuad(Scene& scene, const Texture& texture, const std::array<Vec2f, 4>& uv);
 

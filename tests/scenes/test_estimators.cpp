@@ -1,7 +1,7 @@
 // Estimators of one integral agree: light sampling and BSDF sampling, roulette of either kind and none, the
 // effects a scene calls for and all of them.
 #include "scene/load.h"
-#include "scenes/check.h"
+#include "scenes/scene_extras.h"
 #include "scenes/statistics.h"
 
 #include <cmath>
@@ -59,6 +59,15 @@ TEST_F(Estimators, LightAndBsdfSamplingAgreeOnTheBlocks) {
 TEST_F(Estimators, LightAndBsdfSamplingAgreeOnTheSpheres) {
   const Scene scene = builtin("cornell-spheres");
   expectAgreement(renderWith(scene, lightSampling(), 256), renderWith(scene, bsdfSampling(), 1024), 0.02);
+}
+
+TEST_F(Estimators, MisAndSplittingAgreeOnTheSpheres) {
+  const Scene scene = builtin("cornell-spheres");
+  const Film byLights = renderWith(scene, lightSampling(), 256);
+  expectAgreement(renderWith(scene, misSampling(), 256), byLights, 0.02);
+  EstimatorSettings splitting = misSampling();
+  splitting.splitDepth = 4;
+  expectAgreement(renderWith(scene, splitting, 192), byLights, 0.02);
 }
 
 TEST_F(Estimators, RouletteModesAgree) {
@@ -120,6 +129,24 @@ TEST_F(Estimators, EffectsLeftOutChangeNothingUnderASky) {
   const Film detected = render(scene, setup).film;
   setup.effects = everyEffect();
   EXPECT_LT(maxAbs(welch(estimateOf(detected), estimateOf(render(scene, setup).film))), 1.0);
+}
+
+/// All of it: every material, every light, kinds, splitting, light samples, a filter.
+TEST_F(Estimators, EffectsLeftOutChangeNothingInVariety) {
+  Scene scene = variety();
+  scene.filter.shape = PixelFilter::Shape::Gaussian;
+  scene.filter.radius = 1.5;
+  EstimatorSettings settings = misSampling();
+  settings.splitDepth = 2;
+  settings.lightSamples = 2;
+  settings.pathKinds = kAllPathKinds & ~1U;
+  for (const LightStrategy light : {LightStrategy::Mis, LightStrategy::Nee}) {
+    settings.light = light;
+    RenderSetup setup{.estimator = settings, .width = 32, .height = 32, .frames = 32};
+    const Film detected = render(scene, setup).film;
+    setup.effects = everyEffect();
+    EXPECT_LT(maxAbs(welch(estimateOf(detected), estimateOf(render(scene, setup).film))), 1.0);
+  }
 }
 
 } // namespace

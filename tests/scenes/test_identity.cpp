@@ -1,7 +1,7 @@
 // Same seed, same bits, whatever the batch, the tiles, the threads and the image's shape; and other seeds,
 // pixels and frames tell independent stories.
 #include "scene/load.h"
-#include "scenes/check.h"
+#include "scenes/scene_extras.h"
 #include "scenes/statistics.h"
 
 #include <cmath>
@@ -40,6 +40,29 @@ TEST_F(Identity, TilesChangeNothing) {
   for (const std::uint32_t blocks : {1U, 7U, 64U, 4096U}) {
     setup.tileBlocks = blocks;
     EXPECT_TRUE(identical(render(scene, setup).film, measured)) << blocks << " blocks a tile";
+  }
+}
+
+/// With all that a path carries from one dispatch to the next, and the images of the kinds beside the whole.
+TEST_F(Identity, BatchesAndTilesChangeNothingInVariety) {
+  Scene scene = variety();
+  scene.filter.shape = PixelFilter::Shape::Tent;
+  scene.filter.radius = 1.0;
+  EstimatorSettings settings = misSampling();
+  settings.splitDepth = 5;
+  settings.lightSamples = 2;
+  settings.kindImages = true;
+  RenderSetup setup{.estimator = settings, .width = 50, .height = 35, .frames = 21, .seed = seed()};
+  Studio whole(sharedContext(), scene, setup);
+  const Rendered first = whole.render();
+  EXPECT_GT(first.counters.carriedPaths, 0U);
+  for (const auto& [batch, blocks] : {std::pair(1U, 0U), {5U, 0U}, {16U, 3U}}) {
+    setup.batch = batch;
+    setup.tileBlocks = blocks;
+    Studio other(sharedContext(), scene, setup);
+    const Film film = other.render().film;
+    EXPECT_TRUE(identical(film, first.film)) << "batch " << batch << ", " << blocks << " blocks a tile";
+    EXPECT_EQ(other.integrator().kindImages(film), whole.integrator().kindImages(first.film));
   }
 }
 

@@ -54,6 +54,23 @@ constexpr Watch kWatches[] = {
     {Mutation::MergeMeanUnweighted, "mergedGroups"},
     {Mutation::MergeBetweenDropped, "mergedGroups"},
     {Mutation::MergeLowDropped, "mergedGroups"},
+    {Mutation::MisWeightDropped, "litFloorByMis"},
+    {Mutation::MisSamplesIgnored, "lightSamplesByMis"},
+    {Mutation::LightSamplesNotAveraged, "lightSamplesAverage"},
+    {Mutation::PhongNormalisation, "phongHeadOn"},
+    {Mutation::BackScatters, "oneSided"},
+    {Mutation::PointFalloffDropped, "pointLight"},
+    {Mutation::EnvironmentAliasIgnored, "unequalTexels"},
+    {Mutation::EnvironmentSineDropped, "unequalTexels"},
+    {Mutation::TextureFlipped, "textured"},
+    {Mutation::FilterSignDropped, "evenByFilter"},
+    {Mutation::SplitUnweighted, "splitSlab"},
+    {Mutation::BranchKeyShared, "branchesAreIndependent"},
+    {Mutation::UnwantedKindsCount, "furnaceKinds"},
+    {Mutation::TransmissionIsReflection, "lampInGlass"},
+    {Mutation::CarriedBranchLost, "carriedBranches"},
+    {Mutation::CarriedPdfLost, "carriedDensities"},
+    {Mutation::CarriedHistoryLost, "carriedHistory"},
 };
 
 std::vector<Check> checksFor(Mutation mutation) {

@@ -1,0 +1,108 @@
+#include "render/memory_plan.h"
+
+#include "render/render_job.h"
+
+#include <algorithm>
+#include <bit>
+#include <numeric>
+
+namespace vkpt {
+namespace {
+
+using namespace shared;
+
+std::uint64_t sizeOf(const std::vector<Texel>& texels) { return texels.size() * sizeof(Texel); }
+
+std::uint64_t pixelsOf(int width, int height) {
+  return static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(height);
+}
+
+/// As the integrator reserves them for the largest tile.
+std::uint32_t slotsFor(int width, int height, std::uint32_t tileBlocks) {
+  const auto along = [](int pixels) {
+    return (static_cast<std::uint64_t>(pixels) + kBlockEdge - 1) / kBlockEdge;
+  };
+  const std::uint64_t stripes = (along(width) * along(height) + kStripes - 1) / kStripes;
+  const std::uint64_t most = tileBlocks > 0 ? tileBlocks : kMostTileBlocks;
+  return std::bit_ceil(static_cast<std::uint32_t>(std::min(stripes * kStripes, most)) * kBlockPixels);
+}
+
+} // namespace
+
+std::uint64_t pathStateBytes(std::uint32_t slots, std::uint32_t splitDepth) {
+  return std::uint64_t{slots} * (kPathPlanes + splitDepth * kBranchPlanes) * sizeof(Texel);
+}
+
+std::uint64_t slotListBytes(std::uint32_t slots) {
+  return std::uint64_t{slots} * 2 * sizeof(std::uint32_t); // two lists in turn
+}
+
+std::uint64_t MemoryPlan::bytes() const {
+  return std::accumulate(rows.begin(), rows.end(), std::uint64_t{0},
+                         [](std::uint64_t sum, const MemoryRow& row) { return sum + row.bytes; });
+}
+
+bool MemoryPlan::fits() const {
+  return bytes() <= heapBytes &&
+         std::ranges::all_of(rows, [](const MemoryRow& row) { return row.largestBuffer <= row.limitBytes; });
+}
+
+MemoryPlan planMemory(const gpu::Context& context, const PackedScene& packed, const EffectSet& effects,
+                      const EstimatorSettings& estimator, int width, int height, std::uint32_t tileBlocks) {
+  MemoryPlan plan;
+  plan.heapBytes = context.largestHeap();
+  const auto texels = [&](std::string_view what, std::uint64_t bytes) {
+    plan.rows.push_back({what, bytes, bytes, "maxTexelBufferElements",
+                         std::uint64_t{context.limits().maxTexelBufferElements} * sizeof(Texel)});
+  };
+  const auto storage = [&](std::string_view what, std::uint64_t buffers, std::uint64_t bytes) {
+    plan.rows.push_back(
+        {what, buffers * bytes, bytes, "maxStorageBufferRange", context.limits().maxStorageBufferRange});
+  };
+  texels("BVH nodes", packed.bvh.nodes.size() * sizeof(BvhNode));
+  texels("triangles", sizeOf(packed.triangles));
+  texels("normals", sizeOf(packed.normals));
+  texels("materials", sizeOf(packed.materials));
+  texels("lights", sizeOf(packed.lights));
+  texels("texture coordinates", sizeOf(packed.uvs));
+  texels("textures", sizeOf(packed.textures));
+  texels("environment", sizeOf(packed.environment));
+  const std::uint64_t pixels = pixelsOf(width, height);
+  const std::uint32_t slots = slotsFor(width, height, tileBlocks);
+  constexpr std::uint64_t kSmallestBuffer = 16;
+  storage("film", kFilmPlanes, std::max(kSmallestBuffer, pixels * sizeof(std::uint32_t)));
+  storage("kinds of light path", kKindCount,
+          (effects.has(Effect::KindImages) ? pixels : 1) * kKindPlanes * sizeof(float));
+  storage("path states, at most", 1, pathStateBytes(slots, estimator.splitDepth));
+  storage("slot lists, at most", 1, slotListBytes(slots));
+  return plan;
+}
+
+std::uint64_t effectBytes(Effect effect, const PackedScene& packed, const EffectSet& effects,
+                          const EstimatorSettings& estimator, int width, int height,
+                          std::uint32_t tileBlocks) {
+  if (!effects.has(effect))
+    return 0;
+  constexpr std::uint64_t kLight = kTexelsPerLight * sizeof(Texel);
+  const std::uint32_t slots = slotsFor(width, height, tileBlocks);
+  switch (effect) {
+  case Effect::SmoothNormals:
+    return sizeOf(packed.normals);
+  case Effect::Textures:
+    return sizeOf(packed.uvs) + sizeOf(packed.textures);
+  case Effect::LightSampling:
+    return kLight;
+  case Effect::ManyLights:
+    return sizeOf(packed.lights) - kLight;
+  case Effect::Environment:
+    return sizeOf(packed.environment);
+  case Effect::Splitting:
+    return pathStateBytes(slots, estimator.splitDepth) - pathStateBytes(slots, 0);
+  case Effect::KindImages:
+    return pixelsOf(width, height) * kKindCount * kKindPlanes * sizeof(float);
+  default:
+    return 0;
+  }
+}
+
+} // namespace vkpt

@@ -1,0 +1,74 @@
+#include "selftest/scene_means.h"
+
+#include "render/render_loop.h"
+#include "selftest/film_mean.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace vkpt {
+namespace {
+
+/// As few samples as give every pixel a variance.
+constexpr std::uint64_t kLeastFrames = 2;
+
+struct Rendered {
+  Film film;
+  RunCounters counters;
+};
+
+Rendered render(const gpu::Context& context, const Scene& scene, const EstimatorSettings& estimator,
+                std::uint64_t frames, std::uint32_t seed) {
+  const PackedScene packed = packScene(scene, estimator);
+  const DeviceScene deviceScene = uploadScene(context, packed);
+  Integrator integrator(context, deviceScene, scene, detectEffects(scene, estimator),
+                        {estimator, scene.width, scene.height, seed, {}, {}});
+  RenderJob job;
+  job.frames = frames;
+  RenderObserver nobody;
+  Rendered rendered;
+  renderUntil(integrator, rendered.film, job, nobody);
+  rendered.counters = integrator.counters();
+  return rendered;
+}
+
+} // namespace
+
+std::pair<int, int> sizeForSamples(int width, int height, int samples) {
+  const int divisor = std::gcd(width, height);
+  const int shapeX = width / divisor;
+  const int shapeY = height / divisor;
+  const double pixels = static_cast<double>(samples) / shared::kSamplesPerGroup;
+  const int factor =
+      std::max(1, static_cast<int>(std::sqrt(pixels / (static_cast<double>(shapeX) * shapeY))));
+  return {shapeX * factor, shapeY * factor};
+}
+
+void testSceneMeans(const NoriTTest& test, const gpu::Context& context,
+                    const std::function<EstimatorSettings(const Scene&)>& estimatorOf, std::uint32_t seed,
+                    const TellOutcome& tell) {
+  const double level = sidakLevel(test.significanceLevel, test.references.size());
+  for (std::size_t i = 0; i < test.scenes.size(); ++i) {
+    Scene scene = test.scenes[i];
+    std::tie(scene.width, scene.height) = sizeForSamples(scene.width, scene.height, test.sampleCount);
+    scene.filter = {};
+    const auto pixels = static_cast<std::uint64_t>(scene.width) * static_cast<std::uint64_t>(scene.height);
+    const std::uint64_t frames =
+        std::max(kLeastFrames, (static_cast<std::uint64_t>(test.sampleCount) + pixels - 1) / pixels);
+    const Rendered rendered =
+        render(context, scene, estimatorOf(scene), frames, seed + static_cast<std::uint32_t>(i));
+    const MeanEstimate mean = meanLuminance(rendered.film);
+    TestStatistic statistic = studentTest(mean, test.references[i]);
+    if (rendered.counters.faults() > 0)
+      statistic.why = fmt::format("{} faults", rendered.counters.faults());
+    tell({test.where, fmt::format("scene {}", i + 1),
+          fmt::format("mean {:.6g}, reference {:g}, {} samples", mean.mean, test.references[i],
+                      frames * pixels),
+          statistic, level});
+  }
+}
+
+} // namespace vkpt

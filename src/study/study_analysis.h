@@ -1,0 +1,69 @@
+#pragma once
+// From the measured points to what a reader wants to know. Relative errors are sqrt(relMSE).
+
+#include "study/study_result.h"
+
+#include <optional>
+#include <vector>
+
+namespace vkpt {
+
+/// Over the seeds.
+struct Spread {
+  double median = 0.0;
+  double least = 0.0;
+  double most = 0.0;
+};
+/// Nothing without values.
+std::optional<Spread> spreadOf(std::vector<double> values);
+
+/// A mean over seeds with its standard error, which two seeds or more tell.
+struct Estimate {
+  double value = 0.0;
+  std::optional<double> standardError;
+};
+std::optional<Estimate> estimateOf(const std::vector<double>& values);
+
+/// relMSE after some rendering: between two points a straight line between logarithms, outside of them along
+/// the line that was fitted to all.
+std::optional<double> relMseAt(const StudyRun& run, double seconds);
+
+struct TimeToError {
+  double seconds = 0.0;
+  bool extrapolated = false; ///< the run did not get there
+};
+/// When the relative error falls below `error` for the first time. Nothing where it does not fall.
+std::optional<TimeToError> timeTo(const StudyRun& run, double error);
+
+/// The relative errors that the table of times is for.
+inline constexpr double kErrorLevels[] = {0.05, 0.02, 0.01};
+
+/// A point of the curve that stands for a setting: medians over the seeds at equal frames, or at each one's
+/// end.
+struct CurvePoint {
+  double frames = 0.0;
+  double seconds = 0.0;
+  Spread error; ///< relative
+};
+
+struct SettingSummary {
+  std::string name;
+  std::vector<CurvePoint> curve;
+  std::optional<Estimate> slopeOverTime;   ///< of log relMSE against log time; -1 for independent samples
+  std::optional<Estimate> slopeOverFrames; ///< against log frames
+  std::optional<Spread> errorAtEqualTime;
+  std::optional<Spread> errorAtEqualFrames;
+  std::vector<std::optional<TimeToError>> times; ///< to kErrorLevels, medians
+  /// 1 / (relMSE x time) at equal time, over that of the first setting.
+  std::optional<double> efficiency;
+  double secondsPerFrame = 0.0;
+  /// Of the image's mean, channels alike, against the reference: -0.1 lacks a tenth of the light. The error
+  /// takes the channels as fully correlated, so it is rather too large.
+  Estimate energy;
+  /// `energy` is beyond three standard errors: the setting is biased, or the reference too noisy.
+  [[nodiscard]] bool isBiased() const;
+};
+
+std::vector<SettingSummary> summarise(const StudyResult& result);
+
+} // namespace vkpt

@@ -1,0 +1,45 @@
+#pragma once
+// The report of a study: files that open offline.
+
+#include "film/image.h"
+#include "study/study_analysis.h"
+
+#include <string>
+
+namespace vkpt {
+
+/// What the report says beside the figures.
+struct StudyFacts {
+  std::string command; ///< as it was typed
+  std::string scene;
+  std::string device;
+  std::string kinds;         ///< of light path that were judged; empty: all
+  std::string referenceName; ///< how the reference came about
+  double loadSeconds = 0.0;
+  double compileSeconds = 0.0;
+  bool ablation = false; ///< the settings after the first leave something out of it
+  DisplaySettings display;
+};
+
+/// Throws UsageError unless gnuplot can be started: to be called before rendering.
+void checkGnuplot();
+
+/// Error against time and against frames, into `folder`: error-time and error-frames, .svg and .png each, and
+/// the script that drew them. Throws Error with what gnuplot could not do.
+void drawPlots(const fs::path& folder, const std::vector<SettingSummary>& summaries);
+
+/// results.csv: a line for every point that was measured.
+std::string resultsCsv(const StudyResult& result);
+/// results.json: the facts, the summaries and the points.
+std::string resultsJson(const StudyFacts& facts, const StudyResult& result,
+                        const std::vector<SettingSummary>& summaries);
+
+/// What is worth knowing before the figures: why the study stopped, what its reference can tell, which
+/// settings are biased.
+std::vector<std::string> remarks(const StudyResult& result, const std::vector<SettingSummary>& summaries);
+
+/// All of the above and the pictures, then report.html, which holds plots, tables and pictures in itself.
+/// `folder` exists.
+void writeReport(const fs::path& folder, const StudyFacts& facts, const StudyResult& result);
+
+} // namespace vkpt
