@@ -12,6 +12,7 @@ build libglm-dev libfmt-dev libspdlog-dev               # vectors, text, log
 build libtinyobjloader-dev libpugixml-dev               # scenes: OBJ with MTL, Nori XML
 build libstb-dev libopenexr-dev                         # images: PNG and HDR, EXR
 build libcli11-dev nlohmann-json3-dev                   # command line, --stats
+build gnuplot-nox                                       # the plots of vkpt study
 build libboost-dev                                      # Boost.Math: distributions (headers only)
 test  libgtest-dev vulkan-validationlayers              # test framework; every device test is validated
 test  clang-format                                      # the formatting test

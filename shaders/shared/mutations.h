@@ -1,6 +1,6 @@
 // Known mistakes, one line each: X(id, Name, what is broken). A test build (VKPT_MUTATIONS) can switch one
-// on; tests/scenes shows that each of the first list is noticed, tests/bsdf of the second. In every other build
-// MUTATE is its right side and nothing else.
+// on; tests/scenes shows that each of the first list is noticed, tests/bsdf of the second. In every other
+// build MUTATE is its right side and nothing else.
 #ifndef VKPT_SHARED_MUTATIONS_H
 #define VKPT_SHARED_MUTATIONS_H
 

@@ -147,10 +147,11 @@ std::string quoted(const std::string& word) {
   };
   if (!word.empty() && std::ranges::all_of(word, plain))
     return word;
-  std::string text = "'";
+  std::string text(1, '\'');
   for (const char c : word)
-    text += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return text + "'";
+    text.append(c == '\'' ? "'\\''" : std::string(1, c));
+  text.push_back('\'');
+  return text;
 }
 
 std::string replayCommand(const RunReport& r) {

@@ -22,14 +22,18 @@ namespace {
 
 constexpr int kLongerSide = 256; // pixels
 
-/// Made and tried before anything is rendered.
-void prepareFolder(const StudyOptions& o) {
-  std::error_code failure;
+/// Before anything is loaded.
+void checkFolder(const StudyOptions& o) {
   if (fs::exists(o.folder) && !fs::is_directory(o.folder))
     throw UsageError(fmt::format("--output '{}': expected a folder, and this is none", o.folder.string()));
   if (fs::is_directory(o.folder) && !fs::is_empty(o.folder) && !o.force)
     throw UsageError(fmt::format(
         "--output '{}': there are files in it; --force writes over those of a report", o.folder.string()));
+}
+
+/// Before anything is rendered.
+void makeFolder(const StudyOptions& o) {
+  std::error_code failure;
   fs::create_directories(o.folder, failure);
   if (failure)
     throw UsageError(fmt::format("--output '{}': {}", o.folder.string(), failure.message()));
@@ -123,6 +127,7 @@ StudyPlan planFor(const StudyOptions& o, const Scene& scene, std::optional<Image
   StudyPlan plan;
   for (const StudyVariant& variant : o.variants)
     plan.settings.push_back(settingFor(variant.name, variant.options, o, scene));
+  plan.ablation = o.ablate;
   if (o.ablate)
     plan.settings = ablations(plan.settings.front(), scene);
   plan.reference = referenceSetting(o, scene);
@@ -134,25 +139,42 @@ StudyPlan planFor(const StudyOptions& o, const Scene& scene, std::optional<Image
   return plan;
 }
 
+std::string ablationText(const std::vector<SettingSummary>& summaries, std::size_t width) {
+  std::string text = fmt::format("{:<{}}  time saved  energy lost\n", "left out", width);
+  for (std::size_t i = 1; i < summaries.size(); ++i) {
+    const Ablation a = ablationOf(summaries.front(), summaries[i]);
+    text += fmt::format("{:<{}}  {:>8.1f} %  {:>9.2f} %\n", summaries[i].name, width, a.timeSaved * 100.0,
+                        a.energyLost * 100.0);
+  }
+  return text;
+}
+
+std::string errorText(const std::vector<SettingSummary>& summaries, std::size_t width, double seconds) {
+  const auto slope = [](const std::optional<Estimate>& e) {
+    if (!e)
+      return std::string("-");
+    return fmt::format("{:.2f}", e->value) +
+           (e->standardError ? fmt::format(" ± {:.2f}", *e->standardError) : std::string());
+  };
+  std::string text = fmt::format("{:<{}}  error after {:.3g} s  efficiency  slope over time    energy\n",
+                                 "setting", width, seconds);
+  for (const auto& s : summaries) {
+    const std::string error =
+        s.errorAtEqualTime ? fmt::format("{:.3g} %", s.errorAtEqualTime->median * 100.0) : "-";
+    text += fmt::format("{:<{}}  {:>18}  {:>10}  {:>15}  {:>+6.2f} %\n", s.name, width, error,
+                        s.efficiency ? fmt::format("{:.3g}", *s.efficiency) : "-", slope(s.slopeOverTime),
+                        s.energy.value * 100.0);
+  }
+  return text;
+}
+
 std::string summaryText(const StudyOptions& o, const StudyResult& result) {
   const auto summaries = summarise(result);
-  std::size_t width = 7;
+  std::size_t width = 8;
   for (const auto& s : summaries)
     width = std::max(width, s.name.size());
-  std::string text = fmt::format("{:<{}}  error after {:.3g} s  efficiency  slope over time  energy\n",
-                                 "setting", width, result.equalSeconds);
-  for (const auto& s : summaries) {
-    text += fmt::format(
-        "{:<{}}  {:>15}  {:>10}  {:>15}  {:+.2f} %\n", s.name, width,
-        s.errorAtEqualTime ? fmt::format("{:.3g} %", s.errorAtEqualTime->median * 100.0) : "-",
-        s.efficiency ? fmt::format("{:.3g}", *s.efficiency) : "-",
-        s.slopeOverTime ? fmt::format("{:.2f}{}", s.slopeOverTime->value,
-                                      s.slopeOverTime->standardError
-                                          ? fmt::format(" ± {:.2f}", *s.slopeOverTime->standardError)
-                                          : "")
-                        : "-",
-        s.energy.value * 100.0);
-  }
+  std::string text =
+      result.ablation ? ablationText(summaries, width) : errorText(summaries, width, result.equalSeconds);
   for (const auto& remark : remarks(result, summaries))
     text += remark + "\n";
   return text + fmt::format("written: {}\n", (o.folder / "report.html").string());
@@ -182,7 +204,7 @@ ExitCode runStudy(const std::vector<std::string>& arguments) {
     return ExitCode::Done;
   setUpLog(o->common.log);
   checkGnuplot();
-  prepareFolder(*o);
+  checkFolder(*o);
   const InterruptGuard interrupts;
   const Stopwatch watch;
 
@@ -193,13 +215,18 @@ ExitCode runStudy(const std::vector<std::string>& arguments) {
   Scene scene = loadSceneFor(o->common, sceneReport);
   chooseSize(scene, *o, reference);
   const gpu::Context context({o->common.device, o->common.validation, pipelineCacheFolder()});
-  StudyFacts facts{o->command,      scene.name, context.info().name, o->kindName,      {},
-                   watch.seconds(), 0.0,        o->ablate,           o->common.display};
+  StudyFacts facts{o->command,      scene.name, context.info().name, o->kindName, {},
+                   watch.seconds(), 0.0,        o->common.display};
 
+  const StudyPlan plan = planFor(*o, scene, std::move(reference));
+  for (const auto& line : describeOptions(o->common, o->common.job, scene, plan.settings.front().estimator))
+    spdlog::debug("{}", line);
+
+  makeFolder(*o);
   StudyResult result;
   {
     StatusLine line(o->common.progress);
-    result = runStudy(context, scene, planFor(*o, scene, std::move(reference)), [&](const StudyProgress& p) {
+    result = runStudy(context, scene, plan, [&](const StudyProgress& p) {
       if (line.isDue())
         line.draw(fmt::format("{:.0f} %, {:.0f} s left, {}", p.share * 100.0, p.secondsLeft, p.what));
       return !InterruptGuard::requested();

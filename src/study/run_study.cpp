@@ -77,6 +77,7 @@ public:
         m_secondLimit(plan.seconds) {}
 
   StudyResult run() {
+    m_result.ablation = m_plan.ablation;
     for (const StudySetting& setting : m_plan.settings) {
       m_runs.emplace_back(m_context, m_scene, setting);
       m_result.settings.push_back({setting, {}, m_runs.back().compileSeconds(), {}, 0});
@@ -176,7 +177,7 @@ private:
     const SquaredError& noise = m_reference->noise();
     points.push_back(
         {run.frames(), run.seconds(), {measured.mse - noise.mse, measured.relMse - noise.relMse}});
-    if (noise.relMse > kMostReferenceNoise * measured.relMse) {
+    if (!m_plan.ablation && noise.relMse > kMostReferenceNoise * measured.relMse) {
       m_result.stop = StudyStop::ReferenceNoise;
       m_secondLimit = std::min(run.seconds(), m_secondLimit.value_or(run.seconds()));
     }

@@ -202,6 +202,11 @@ std::optional<TimeToError> timeTo(const StudyRun& run, double error) {
   return TimeToError{end.work * std::pow(target / end.error, 1.0 / law->exponent), true};
 }
 
+Ablation ablationOf(const SettingSummary& whole, const SettingSummary& rest) {
+  return {1.0 - rest.secondsPerFrame / whole.secondsPerFrame,
+          1.0 - (1.0 + rest.energy.value) / (1.0 + whole.energy.value)};
+}
+
 bool SettingSummary::isBiased() const {
   return energy.standardError && std::abs(energy.value) > 3.0 * *energy.standardError;
 }

@@ -64,6 +64,13 @@ struct SettingSummary {
   [[nodiscard]] bool isBiased() const;
 };
 
+/// Shares of the whole that leaving something out saves and loses.
+struct Ablation {
+  double timeSaved = 0.0; ///< of a sample of every pixel
+  double energyLost = 0.0;
+};
+Ablation ablationOf(const SettingSummary& whole, const SettingSummary& rest);
+
 std::vector<SettingSummary> summarise(const StudyResult& result);
 
 } // namespace vkpt

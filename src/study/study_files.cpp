@@ -136,14 +136,14 @@ std::vector<std::string> remarks(const StudyResult& result, const std::vector<Se
   if (result.stop == StudyStop::ReferenceNoise)
     lines.push_back(
         fmt::format("Stopped at {:.3g} s: there the reference's own noise (relative error {:.3g} %) "
-                    "came to a tenth of the best setting's squared error; it is subtracted.",
+                    "came to a tenth of the squared error that was measured; it is subtracted.",
                     result.equalSeconds, std::sqrt(result.referenceNoise.relMse) * 100.0));
   if (!result.referenceNoiseIsKnown)
     lines.emplace_back("The reference tells no standard errors: its noise is taken for 0, and errors near it "
                        "are too large.");
   for (std::size_t i = 0; i < summaries.size(); ++i) {
     const SettingSummary& s = summaries[i];
-    if (s.isBiased())
+    if (s.isBiased() && !(result.ablation && i > 0))
       lines.push_back(
           fmt::format("{}: its mean differs from the reference's by {:+.2f} % ± {:.2f} %: a bias, "
                       "which is part of its error.",

@@ -26,6 +26,9 @@ struct StudyPlan {
   StudySetting reference;
   std::optional<Image> referenceImage; ///< instead of one that is rendered first
   std::string referenceName;           ///< for people
+  /// The settings after the first leave something out of it: energy is judged, not error, so the reference's
+  /// noise stops nothing.
+  bool ablation = false;
   std::uint32_t seeds = 3;
   std::uint32_t firstSeed = 0;
   std::optional<double> seconds;       ///< of rendering, for a setting and a seed

@@ -126,12 +126,10 @@ std::string mainTables(const StudyResult& result, const std::vector<SettingSumma
 std::string ablationTable(const std::vector<SettingSummary>& summaries) {
   std::vector<std::vector<std::string>> rows;
   for (std::size_t i = 1; i < summaries.size(); ++i) {
-    const SettingSummary& whole = summaries.front();
     const SettingSummary& s = summaries[i];
-    const double left = (1.0 + s.energy.value) / (1.0 + whole.energy.value);
-    rows.push_back({escaped(s.name),
-                    fmt::format("{:+.1f} %", (1.0 - s.secondsPerFrame / whole.secondsPerFrame) * 100.0),
-                    fmt::format("{:+.2f} %", (1.0 - left) * 100.0), cell(s.errorAtEqualTime)});
+    const Ablation a = ablationOf(summaries.front(), s);
+    rows.push_back({escaped(s.name), fmt::format("{:+.1f} %", a.timeSaved * 100.0),
+                    fmt::format("{:+.2f} %", a.energyLost * 100.0), cell(s.errorAtEqualTime)});
   }
   return "<h2>What each part costs</h2>" +
          tableOf({"left out", "time saved", "energy lost", "error that stays"}, rows) +
@@ -215,7 +213,7 @@ void writeReport(const fs::path& folder, const StudyFacts& facts, const StudyRes
       "<!DOCTYPE html><html lang=en><head><meta charset=utf-8><title>vkpt study</title><style>";
   html += kReportStyle;
   html += "</style></head><body>" + header(facts, result, summaries) + plots(folder);
-  if (facts.ablation)
+  if (result.ablation)
     html += ablationTable(summaries);
   html += mainTables(result, summaries) + pictures(folder, facts, result);
   html += std::string("<script>") + kReportScript + "</script></body></html>\n";

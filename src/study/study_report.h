@@ -17,7 +17,6 @@ struct StudyFacts {
   std::string referenceName; ///< how the reference came about
   double loadSeconds = 0.0;
   double compileSeconds = 0.0;
-  bool ablation = false; ///< the settings after the first leave something out of it
   DisplaySettings display;
 };
 

@@ -37,6 +37,7 @@ enum class StudyStop {
 
 struct StudyResult {
   std::vector<SettingResult> settings;
+  bool ablation = false; ///< see StudyPlan
   Vec3d referenceMean{0.0};
   Vec3d referenceMeanError{0.0};
   SquaredError referenceNoise;

@@ -64,9 +64,9 @@ std::vector<Vec2d> integrals(const Grid& grid, const std::function<Vec2d(double,
         const auto along = [&](double u) { return f(u, v); };
         return Simpson(along, least, kInnerDepth).over(u0, u1, tolerance * grid.rows);
       };
-      cells.push_back(
-          Simpson(across, kLeastDepth, kOuterDepth)
-              .over(static_cast<double>(row) / grid.rows, static_cast<double>(row + 1) / grid.rows, tolerance));
+      cells.push_back(Simpson(across, kLeastDepth, kOuterDepth)
+                          .over(static_cast<double>(row) / grid.rows,
+                                static_cast<double>(row + 1) / grid.rows, tolerance));
     }
   }
   return cells;

@@ -65,8 +65,8 @@ Chart polarChart(const Vec3d& axis, const Vec3d& n, double width) {
   chart.direction = [=](double u, double v) -> std::optional<Vec3d> {
     const double theta = 2.0 * std::atan(stretched(u, half));
     const double s = std::sin(theta);
-    const Vec3d d = axes.x * (s * std::cos(kTurn * v)) + axes.y * (s * std::sin(kTurn * v)) +
-                    axes.z * std::cos(theta);
+    const Vec3d d =
+        axes.x * (s * std::cos(kTurn * v)) + axes.y * (s * std::sin(kTurn * v)) + axes.z * std::cos(theta);
     if (glm::dot(d, n) <= 0.0)
       return {};
     return d;

@@ -69,9 +69,9 @@ std::vector<BsdfCase> makeBsdfCases() {
         if (!front && materials[i].material.bsdf != BsdfType::RoughDielectric)
           continue;
         const View view = viewAt(i, degrees, front);
-        cases.push_back({fmt::format("{} at {:g} degrees{}", materials[i].name, degrees,
-                                     front ? "" : ", from behind"),
-                         view, chartsFor(materials[i].material, view)});
+        cases.push_back(
+            {fmt::format("{} at {:g} degrees{}", materials[i].name, degrees, front ? "" : ", from behind"),
+             view, chartsFor(materials[i].material, view)});
       }
     }
   }

@@ -32,8 +32,7 @@ std::array<float, 4> row(const Vec3f& v, float w) { return {v.x, v.y, v.z, w}; }
 Probe::Probe(const Scene& scene, const EffectSet& effects, std::uint32_t mutation)
     : m_packed(packScene(scene, {}, effects, 1)),
       m_constants(frameConstants(scene, m_packed.lightChoice, {}, scene.width, scene.height, 0)),
-      m_scene(uploadScene(sharedContext(), m_packed)),
-      m_bindings(sharedContext(), kLayout, sizeof(Dispatch)),
+      m_scene(uploadScene(sharedContext(), m_packed)), m_bindings(sharedContext(), kLayout, sizeof(Dispatch)),
       m_frame(sharedContext(), "frame constants", sizeof(FrameConstants),
               vk::BufferUsageFlagBits::eUniformBuffer, gpu::MemoryKind::Host),
       m_mutation(mutation) {
@@ -53,9 +52,8 @@ Probe::Probe(const Scene& scene, const EffectSet& effects, std::uint32_t mutatio
 const gpu::ComputePipeline& Probe::pipeline(Routine routine) {
   if (!m_pipelines.contains(routine)) {
     m_specialisation[kConstantRoutine] = static_cast<std::uint32_t>(routine);
-    m_pipelines.try_emplace(routine, sharedContext(),
-                            m_mutation == 0 ? spirv::kProbe : spirv::kMutableProbe, m_bindings,
-                            m_specialisation);
+    m_pipelines.try_emplace(routine, sharedContext(), m_mutation == 0 ? spirv::kProbe : spirv::kMutableProbe,
+                            m_bindings, m_specialisation);
   }
   return m_pipelines.at(routine);
 }
@@ -66,7 +64,8 @@ std::vector<Answer> Probe::run(Routine routine, const Query& query, std::uint32_
   const gpu::Context& context = sharedContext();
   const gpu::ComputePipeline& chosen = pipeline(routine);
   const auto usage = vk::BufferUsageFlagBits::eStorageBuffer;
-  const gpu::Buffer in(context, "query", std::as_bytes(std::span{query}).size(), usage, gpu::MemoryKind::Host);
+  const gpu::Buffer in(context, "query", std::as_bytes(std::span{query}).size(), usage,
+                       gpu::MemoryKind::Host);
   const gpu::Buffer out(context, "answers", count * kAnswerBytes, usage, gpu::MemoryKind::Host);
   in.write(context, std::as_bytes(std::span{query}));
   m_bindings.bind(context, kBindingQuery, in, DescriptorType::eStorageBuffer);

@@ -65,7 +65,13 @@ public:
   [[nodiscard]] const shared::FrameConstants& constants() const { return m_constants; }
 
 private:
-  enum class Routine : std::uint32_t { SampleBsdf, EvaluateBsdf, SampleLight, SampleEnvironment, SampleFilter };
+  enum class Routine : std::uint32_t {
+    SampleBsdf,
+    EvaluateBsdf,
+    SampleLight,
+    SampleEnvironment,
+    SampleFilter
+  };
   using Query = std::vector<std::array<float, 4>>;
   template<class Answer>
   std::vector<Answer> run(Routine routine, const Query& query, std::uint32_t count, std::uint32_t seed);

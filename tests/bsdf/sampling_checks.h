@@ -20,8 +20,8 @@ struct BsdfBench {
   Oracle oracle;
 };
 
-/// Draws against the density integrated over the cells of the charts and over what is left, by chi-square; and
-/// their mean weight against the integral of f cos. `tests`: of which none may fail by chance but with
+/// Draws against the density integrated over the cells of the charts and over what is left, by chi-square;
+/// and their mean weight against the integral of f cos. `tests`: of which none may fail by chance but with
 /// probability kFamilyAlpha.
 Failures checkDensity(BsdfBench& bench, const BsdfCase& c, std::size_t tests);
 

@@ -1,5 +1,5 @@
-// Energy: no draw gives more than it got; surfaces that absorb nothing lose less the smoother they are, and smooth
-// ones nothing at all.
+// Energy: no draw gives more than it got; surfaces that absorb nothing lose less the smoother they are, and
+// smooth ones nothing at all.
 #include "bsdf/sampling_checks.h"
 #include "scenes/statistics.h"
 
@@ -117,8 +117,8 @@ TEST_F(RenderTest, CoatedSurfacesGainNothing) {
   }
 }
 
-/// Alpha 10 is the roughest that scenes may ask for, and at 1e-4 in float a lobe is still a lobe; directions a
-/// float's breadth above the surface.
+/// Alpha 10 is the roughest that scenes may ask for, and at 1e-4 in float a lobe is still a lobe; directions
+/// a float's breadth above the surface.
 TEST_F(RenderTest, NoDrawIsNotANumberWhateverTheRoughness) {
   std::vector<MaterialCase> materials;
   for (const float alpha : {1e-4F, 3e-3F, 1.0F, 10.0F}) {
@@ -135,12 +135,14 @@ TEST_F(RenderTest, NoDrawIsNotANumberWhateverTheRoughness) {
   for (std::uint32_t i = 0; i < materials.size(); ++i) {
     for (const double height : {0.0, 1e-30, 1e-7, 1e-3, 1.0}) {
       for (const bool front : {true, false}) {
-        const View view{i, Vec3f(Vec3d(std::sqrt(1.0 - height * height), 0.0, height)), Vec3f(0, 0, 1), front};
+        const View view{i, Vec3f(Vec3d(std::sqrt(1.0 - height * height), 0.0, height)), Vec3f(0, 0, 1),
+                        front};
         for (const BsdfDraw& d : probe.sampleBsdf(view, 4096, i)) {
           const bool finite = std::isfinite(d.pdf_w) && std::isfinite(d.weight.x) && std::isfinite(d.wi.x) &&
                               std::isfinite(d.wi.y) && std::isfinite(d.wi.z);
           ASSERT_TRUE(finite && d.weight.x >= 0.0F && (d.pdf_w > 0.0F || !d.scatters()))
-              << materials[i].name << " at height " << height << " pdf " << d.pdf_w << " weight " << d.weight.x;
+              << materials[i].name << " at height " << height << " pdf " << d.pdf_w << " weight "
+              << d.weight.x;
           ASSERT_NEAR(glm::length(Vec3d(d.wi)), 1.0, 1e-5);
         }
       }

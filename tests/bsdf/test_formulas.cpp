@@ -1,4 +1,5 @@
-// The BSDFs against their papers' formulas, written here a second time and in the papers' own terms; reciprocity.
+// The BSDFs against their papers' formulas, written here a second time and in the papers' own terms;
+// reciprocity.
 #include "bsdf/sampling_checks.h"
 
 #include <cmath>
@@ -102,8 +103,8 @@ TEST_F(Formulas, RoughMetal) { // Walter et al. 2007, eq. 20
         ASSERT_NEAR(oracle.evaluate(view, wo, wi).f[c], f, kRelative * f + kLeast) << alpha << beckmann;
       }
       // Density of visible normals, G1 D (wo . h) / cos, over 4 (wo . h): Heitz 2014, eq. 2; Walter, eq. 14.
-      const double pdf = distribution(beckmann, alpha, Angles(n, h)) / (1.0 + lambda(beckmann, alpha, o)) /
-                         (4.0 * o.cosine);
+      const double pdf =
+          distribution(beckmann, alpha, Angles(n, h)) / (1.0 + lambda(beckmann, alpha, o)) / (4.0 * o.cosine);
       ASSERT_NEAR(oracle.evaluate(view, wo, wi).pdf_w, pdf, kRelative * pdf + kLeast) << alpha << beckmann;
     }
   });
@@ -121,7 +122,8 @@ TEST_F(Formulas, RoughGlassReflectsAndRefracts) { // Walter et al. 2007, eq. 16,
                          distribution(beckmann, alpha, Angles(n, h)) *
                          correlated(beckmann, alpha, Angles(n, wo), Angles(n, wi)) /
                          (4.0 * Angles(n, wo).cosine * Angles(n, wi).cosine);
-        ASSERT_NEAR(oracle.evaluate(view, wo, wi).f.x, f, kRelative * f + kLeast) << alpha << beckmann << front;
+        ASSERT_NEAR(oracle.evaluate(view, wo, wi).f.x, f, kRelative * f + kLeast)
+            << alpha << beckmann << front;
       }
       int refracted = 0;
       for (const auto& [wo, wi] : pairs(n, true, 500)) {
@@ -160,7 +162,8 @@ TEST_F(Formulas, NorisMicrofacet) {
                           exactFresnelDielectric(glm::dot(wi, h), static_cast<double>(m.intIor / m.extIor)) *
                           g1(alpha, o) * g1(alpha, i) / (4.0 * o.cosine * i.cosine);
       for (int c = 0; c < 3; ++c) {
-        const double f = static_cast<double>(m.reflectance[c]) / pi + static_cast<double>(m.specular[c]) * coat;
+        const double f =
+            static_cast<double>(m.reflectance[c]) / pi + static_cast<double>(m.specular[c]) * coat;
         ASSERT_NEAR(oracle.evaluate(view, wo, wi).f[c], f, kRelative * f + kLeast) << alpha;
       }
     }
@@ -173,7 +176,8 @@ TEST_F(Formulas, ReflectionIsReciprocal) {
       const View view{i, n32, n32, front};
       for (const auto& [wo, wi] : pairs(n, false, 300)) {
         const Vec3d f = oracle.evaluate(view, wo, wi).f;
-        ASSERT_LE(glm::length(f - oracle.evaluate(view, wi, wo).f), 1e-12 * glm::length(f)) << rough()[i].name;
+        ASSERT_LE(glm::length(f - oracle.evaluate(view, wi, wo).f), 1e-12 * glm::length(f))
+            << rough()[i].name;
       }
     }
   }

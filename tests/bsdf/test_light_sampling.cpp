@@ -59,7 +59,8 @@ TEST_F(Sampling, PointsOfATriangleAreUniform) {
     solidAngle += w / kDraws;
     squares += w * w / kDraws;
   }
-  const std::vector<double> expected(grid.size(), static_cast<double>(kDraws) / static_cast<double>(grid.size()));
+  const std::vector<double> expected(grid.size(),
+                                     static_cast<double>(kDraws) / static_cast<double>(grid.size()));
   expectLikely(chiSquare(observed, expected), "points");
   // The mean of 1 / pdf is the solid angle: van Oosterom and Strackee 1983.
   const Vec3d u = glm::normalize(a - p);
@@ -76,7 +77,8 @@ EnvironmentMap map(int width, int height) {
   m.width = width;
   m.height = height;
   for (int i = 0; i < width * height; ++i) // of very different brightness, and some black
-    m.radiance.emplace_back(i % 7 == 3 ? 0.0F : 0.1F + static_cast<float>((i * 37) % 101) * (i % 11 == 0 ? 1.0F : 0.02F));
+    m.radiance.emplace_back(
+        i % 7 == 3 ? 0.0F : 0.1F + static_cast<float>((i * 37) % 101) * (i % 11 == 0 ? 1.0F : 0.02F));
   return m;
 }
 
@@ -160,7 +162,8 @@ TEST_F(Sampling, DirectionsToTheEnvironmentAreInProportionToRadiance) {
     elsewhere += std::abs(static_cast<double>(d.pdf_w) - pdf) > 1e-6 * pdf ? 1 : 0;
     elsewhere += d.pdf_w != d.pdfAt ? 1 : 0;
   }
-  // Rounding moves a draw over its texel's edge: a few ulp of a texel's breadth, on four edges, on both counts.
+  // Rounding moves a draw over its texel's edge: a few ulp of a texel's breadth, on four edges, on both
+  // counts.
   EXPECT_LE(elsewhere, 2 + static_cast<int>(kDraws * 16.0 * 8.0 * 0x1p-22));
   // The draws of a black texel are such; chi-square has no patience with any.
   double black = 0.0;
@@ -189,8 +192,9 @@ double filterAt(const PixelFilter& f, double x) { // up to a factor
     const double c = f.c;
     if (t < 1.0)
       return (12 - 9 * b - 6 * c) * t * t * t + (-18 + 12 * b + 6 * c) * t * t + 6 - 2 * b;
-    return t < 2.0 ? (-b - 6 * c) * t * t * t + (6 * b + 30 * c) * t * t + (-12 * b - 48 * c) * t + 8 * b + 24 * c
-                   : 0.0;
+    return t < 2.0
+               ? (-b - 6 * c) * t * t * t + (6 * b + 30 * c) * t * t + (-12 * b - 48 * c) * t + 8 * b + 24 * c
+               : 0.0;
   }
   }
   return 0.0;
@@ -198,7 +202,8 @@ double filterAt(const PixelFilter& f, double x) { // up to a factor
 
 class FilterSampling : public RenderTest, public testing::WithParamInterface<PixelFilter> {};
 
-/// Draws, weighted as the sampler says, add up to the filter in every cell; and they are about where |filter| is.
+/// Draws, weighted as the sampler says, add up to the filter in every cell; and they are about where |filter|
+/// is.
 TEST_P(FilterSampling, WeightedDrawsAreTheFilter) {
   SceneBuilder builder;
   builder.triangle({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, diffuse(Vec3f(0.5F)));
@@ -235,7 +240,8 @@ TEST_P(FilterSampling, WeightedDrawsAreTheFilter) {
     // Where |filter| is; within a bin, of which there are kFilterBins, by a trapezium.
     const double share = cells[i].y / total.y;
     const double bin = 0.1 / shared::kFilterBins;
-    EXPECT_NEAR(count[i] / kDraws, share, 0.1 * share + bin + 5.0 * std::sqrt(share / kDraws)) << "cell " << i;
+    EXPECT_NEAR(count[i] / kDraws, share, 0.1 * share + bin + 5.0 * std::sqrt(share / kDraws))
+        << "cell " << i;
   }
 }
 

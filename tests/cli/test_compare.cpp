@@ -43,7 +43,7 @@ TEST_P(EachFormat, IsComparedInLinearValues) {
   EXPECT_NE(r.out.find("MSE 0.25"), std::string::npos) << r.out;
 }
 INSTANTIATE_TEST_SUITE_P(Formats, EachFormat, testing::Values(".exr", ".hdr", ".pfm", ".png"),
-                         [](const auto& info) { return std::string(info.param).substr(1); });
+                         [](const auto& format) { return std::string(format.param).substr(1); });
 
 TEST(Compare, TwoSeedsOfOneSceneDifferByTheirErrors) {
   const WorkFolder folder;
@@ -146,7 +146,7 @@ INSTANTIATE_TEST_SUITE_P(
         Wrong{"UnknownOption",
               {"a.pfm", "a.pfm", "--max-rsme", "1"},
               ExitCode::Usage,
-              {"--max-rsme", "--max-rmse"}}),
+              {"--max-rsme", "did you mean"}}),
     testing::PrintToStringParamName());
 
 } // namespace

@@ -49,7 +49,7 @@ TEST(Replay, SamplesOfAPixelAddUpToIt) {
 /// Emission that overflows in float after a few reflections, and does not in double.
 TEST(Replay, IsOfferedForTheFirstFault) {
   const WorkFolder folder;
-  folder.write("box.mtl", "newmtl hot\nillum 1\nKd 1e15 1e15 1e15\nKe 1e12 1e12 1e12\n");
+  folder.write("box.mtl", "newmtl hot\nillum 1\nKd 1e12 1e12 1e12\nKe 1e12 1e12 1e12\n");
   folder.write("box.obj",
                "mtllib box.mtl\nusemtl hot\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 .1\nv 1 0 .1\n"
                "v 1 1 .1\nv 0 1 .1\nf 1 2 3 4\nf 8 7 6 5\n");

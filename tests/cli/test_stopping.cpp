@@ -65,6 +65,17 @@ TEST(Stop, AtTheFirstRuleThatIsMet) {
   EXPECT_EQ(folder.json("s.json")["stop"], "frames");
 }
 
+TEST(Stop, SaysWhatHalfTheErrorWouldCost) {
+  const WorkFolder folder;
+  const CommandResult measured = vkpt({"--frames", "64", "--size", "32x32"}, {folder.path(), {}});
+  EXPECT_NE(measured.out.find("half of it would take another "), std::string::npos) << measured.out;
+  EXPECT_NE(measured.out.find("(measured: "), std::string::npos) << measured.out;
+  const CommandResult guessed = vkpt({"--frames", "8", "--size", "32x32"}, {folder.path(), {}});
+  EXPECT_NE(guessed.out.find("fewer than 3 looks"), std::string::npos) << guessed.out;
+  const CommandResult unknown = vkpt({"--frames", "1", "--size", "32x32"}, {folder.path(), {}});
+  EXPECT_EQ(unknown.out.find("half of it"), std::string::npos) << unknown.out;
+}
+
 void sleepSeconds(double seconds) { std::this_thread::sleep_for(std::chrono::duration<double>(seconds)); }
 
 /// The first line of --verbose comes when signals are already looked after.

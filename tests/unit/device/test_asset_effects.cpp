@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 namespace vkpt::test {
 namespace {
 
@@ -28,9 +30,11 @@ const std::vector<AssetCase>& assetCases() {
       {"cornell", "Blocks", withCommon({"diffuse"})},
       {"cornell-spheres", "Spheres", withCommon({"diffuse", "glass", "metal", "smoothNormals"})},
       {"cbox.xml", "Cbox", withCommon({"diffuse", "oneSided", "pixelFilter"})},
-      {"cbox-meshes.xml", "CboxMeshes", withCommon({"diffuse", "oneSided", "pixelFilter", "smoothNormals"})},
+      {"cbox-meshes.xml", "CboxMeshes",
+       withCommon({"diffuse", "oneSided", "phong", "pixelFilter", "smoothNormals"})},
       {"busts.xml", "Busts", withCommon({"diffuse", "oneSided", "phong", "pixelFilter", "smoothNormals"})},
-      {"q-scene.xml", "QScene", withCommon({"diffuse", "oneSided", "pixelFilter"})},
+      {"q-scene.xml", "QScene",
+       withCommon({"diffuse", "mirror", "oneSided", "phong", "pixelFilter", "smoothNormals"})},
   };
   return cases;
 }

@@ -51,6 +51,7 @@ TEST(Packing, LightsAreNotPackedWhereNoneIsSampled) {
 TEST(Packing, ATextureThatNobodyReadsHasNoPixels) {
   Scene scene = textured(); // on the lamp, which reflects nothing
   EXPECT_EQ(packScene(scene, {}, 1).textures.size(), 1U) << "a dummy";
+  EXPECT_EQ(packScene(scene, {}, 1).uvs.size(), kTexelsPerUv);
   scene.materials[scene.triangles.front().material].texture = 1;
   scene.textures.push_back(textureOf(2, 1, {Vec3f(0.2F), Vec3f(0.9F)}));
   const PackedScene packed = packScene(scene, {}, 1);

@@ -127,6 +127,16 @@ TEST(Summary, TellsABiasFromChance) {
   EXPECT_FALSE(summarise(result)[0].isBiased());
 }
 
+TEST(Ablation, IsAgainstTheWhole) {
+  SettingSummary whole, rest;
+  whole.secondsPerFrame = 0.4;
+  whole.energy.value = 0.25; // a reference that was too dark by chance
+  rest.secondsPerFrame = 0.3;
+  rest.energy.value = -0.5;
+  EXPECT_NEAR(ablationOf(whole, rest).timeSaved, 0.25, 1e-12);
+  EXPECT_NEAR(ablationOf(whole, rest).energyLost, 0.6, 1e-12);
+}
+
 TEST(Csv, HasALineForEveryPoint) {
   const std::string csv = resultsCsv(resultOf({{"split=1, \"a\"", {lawfulRun(0.5, 0.25, 2)}}}));
   EXPECT_EQ(csv, "setting,seed,frames,seconds,mse,relMse\n"

@@ -49,7 +49,8 @@ TEST(Reference, MeasuresTheErrorPlusItsOwnNoise) {
     EXPECT_NEAR(measured.mse - reference.noise().mse, error, tolerance(error + 2.0 * own)) << samples;
     const double floor = 0.01 * kTruth * 0.01 * kTruth;
     // b^2 scatters about kTruth^2 by a few per cent
-    EXPECT_NEAR(measured.relMse, (error + own) / (kTruth * kTruth + floor), 1.1 * tolerance(error + own) / 4.0)
+    EXPECT_NEAR(measured.relMse, (error + own) / (kTruth * kTruth + floor),
+                1.1 * tolerance(error + own) / 4.0)
         << samples;
   }
 }
