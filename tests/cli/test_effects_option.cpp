@@ -185,6 +185,22 @@ TEST(Explain, TellsEveryEffectAndTheMemory) {
   EXPECT_TRUE(folder.names().empty()) << "it writes no image";
 }
 
+TEST(Explain, PlansTheMemoryThatARenderTakes) {
+  const WorkFolder folder;
+  for (const char* effects : {"auto", "all"}) {
+    const Arguments common{"cornell-spheres", "--size", "40x30", "--effects", effects};
+    ASSERT_EQ(vkpt(joined(common, {"--frames", "1", "--stats", "s.json"}), {folder.path(), {}}).exitCode, 0);
+    const CommandResult r = vkpt(joined({"explain", "--json"}, common), {folder.path(), {}});
+    const auto plan = nlohmann::json::parse(r.out);
+    std::uint64_t sum = 0;
+    for (const auto& row : plan["memory"]) {
+      if (!row["what"].get<std::string>().ends_with("at most")) // the statistics leave the path states out
+        sum += row["bytes"].get<std::uint64_t>();
+    }
+    EXPECT_EQ(sum, folder.json("s.json")["deviceBytes"]) << effects;
+  }
+}
+
 TEST(Explain, SaysWhatWasLeftOutAsNothing) {
   const WorkFolder folder;
   writeStillLife(folder);
