@@ -26,7 +26,8 @@ TEST(Placement, OtherFilesStayWhereTheyAre) {
   const TempFolder folder;
   const auto [scene, report] = load({folder.write("my_cornell.obj", kSquare)});
   EXPECT_EQ(worldPosition(scene, 1), Vec3d(1, 0, 0));
-  EXPECT_TRUE(report.notes.empty());
+  ASSERT_EQ(report.notes.size(), 1U);
+  EXPECT_TRUE(report.notes.front().starts_with("OBJ conventions"));
 }
 
 TEST(Placement, BunnyAndElephantGoWhereTheFrameworkPutsThem) {
