@@ -142,7 +142,8 @@ bool Li(INOUT(Path) path) {
     UVec4 random = pathRandom(path, blockBsdf(path.bounce));
     BsdfSample b = sampleBsdf(s, wo, random);
     bool specular = b.specular;
-    if (!specular && maxComponent(b.weight) > 0.0 && !(b.pdf_w > 0.0 && isFinite(b.pdf_w))) {
+    Float total = b.weight.x + b.weight.y + b.weight.z;
+    if (!isFinite(total) || (!specular && total > 0.0 && !(b.pdf_w > 0.0 && isFinite(b.pdf_w)))) {
       reportInvalidPdf();
       b.weight = Vec3(0.0);
     }

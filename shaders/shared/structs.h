@@ -131,7 +131,7 @@ VKPT_CONSTANT uint kBranchPlanes = 3u; // and of each branch that waits: 48 byte
 // --- faults: the values of vkpt::FaultCause ---
 VKPT_CONSTANT uint kFaultNonFinite = 0u;    // a sample that is not finite
 VKPT_CONSTANT uint kFaultCutTraversal = 1u; // a ray that took too many steps
-VKPT_CONSTANT uint kFaultInvalidPdf = 2u; // a direction sampled with a density that is not above 0 and finite
+VKPT_CONSTANT uint kFaultInvalidPdf = 2u;   // a sampled direction of no finite weight or density
 VKPT_CONSTANT uint kFaultCauses = 3u;
 VKPT_CONSTANT uint kMaxFaultRecords = 64u; // of a dispatch
 
