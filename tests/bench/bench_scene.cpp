@@ -4,7 +4,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace vkpt::bench {
 namespace {
@@ -15,6 +17,13 @@ Scene load(const SceneChoice& choice, int size) {
   scene.width = size;
   scene.height = size;
   return scene;
+}
+
+float largestCoordinate(const Scene& scene) {
+  float largest = 0.0F;
+  for (const Vec3f& p : scene.positions)
+    largest = std::max({largest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+  return largest;
 }
 
 } // namespace
@@ -45,7 +54,8 @@ SceneBench::SceneBench(const gpu::Context& context, const SceneChoice& choice, i
     : DeviceBench(context, choice, size), m_embree(m_packed) {
   RaySet set = recordRays(m_packed, m_embree, m_scene, m_effects, m_settings);
   const auto add = [&](const char* name, bool shadow, std::vector<RecordedRay>& rays) {
-    m_rays.push_back(std::make_unique<RayBench>(context, m_deviceScene, name, shadow, std::move(rays)));
+    m_rays.push_back(std::make_unique<RayBench>(context, m_deviceScene, name, shadow, std::move(rays),
+                                                largestCoordinate(m_scene)));
   };
   add("primary", false, set.primary);
   add("bounce", false, set.bounce);
@@ -70,9 +80,10 @@ std::string SceneBench::disagreement() const {
 }
 
 SceneBench::RayBench::RayBench(const gpu::Context& context, const DeviceScene& scene, std::string rayName,
-                               bool isShadow, std::vector<RecordedRay> recorded)
+                               bool isShadow, std::vector<RecordedRay> recorded, float largest)
     : name(std::move(rayName)), shadow(isShadow), rays(std::move(recorded)),
-      probe(context, scene, rays, shadow), embreeResults(rays.size()) {}
+      probe(context, scene, rays, shadow), embreeResults(rays.size()),
+      rounding(16.0F * std::numeric_limits<float>::epsilon() * largest) {}
 
 void SceneBench::RayBench::runEmbree(const EmbreeScene& embree) {
   if (shadow)
@@ -86,7 +97,7 @@ double SceneBench::RayBench::disagreement() const {
   std::size_t different = 0;
   for (std::size_t i = 0; i < ours.size(); ++i) {
     const float theirs = std::min(embreeResults[i], 1e30F);
-    if (!(std::abs(ours[i] - theirs) <= 1e-4F * theirs))
+    if (!(std::abs(ours[i] - theirs) <= 1e-4F * theirs + rounding))
       ++different;
   }
   return static_cast<double>(different) / static_cast<double>(ours.size());

@@ -55,10 +55,11 @@ public:
     std::vector<RecordedRay> rays;
     TraceProbe probe;
     std::vector<float> embreeResults;
+    float rounding; ///< of a distance, by the scene's largest coordinate
     RayBench(const gpu::Context& context, const DeviceScene& scene, std::string name, bool shadow,
-             std::vector<RecordedRay> recorded);
+             std::vector<RecordedRay> recorded, float largestCoordinate);
     void runEmbree(const EmbreeScene& embree);
-    /// Share of rays whose results differ by more than 1e-4 of the distance.
+    /// Share of rays whose results differ by more than 1e-4 of the distance and the rounding.
     [[nodiscard]] double disagreement() const;
   };
   std::vector<std::unique_ptr<RayBench>>& rayBenches() { return m_rays; }
