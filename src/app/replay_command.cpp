@@ -1,6 +1,7 @@
 // `--pixel X,Y --sample I`: one path again, on the host.
 
 #include "app/commands.h"
+#include "app/effects_option.h"
 #include "app/load_scene.h"
 #include "host/replay.h"
 
@@ -46,8 +47,8 @@ ExitCode runReplay(const RenderOptions& o) {
     throw UsageError(
         fmt::format("--pixel {},{}: the image has {}x{} pixels", x, y, scene.width, scene.height));
   const EstimatorSettings estimator = estimatorFor(o, scene);
-  const PackedScene packed = packScene(scene, estimator);
-  const EffectSet effects = detectEffects(scene, estimator);
+  const EffectSet effects = compiledEffects(o.effects, detectEffects(scene, estimator));
+  const PackedScene packed = packScene(scene, estimator, effects);
   const HostSettings settings{estimator, scene.width, scene.height, o.seed};
   const Replay single = replay32(packed, scene, effects, settings, x, y, o.sample);
   const Replay twice = replay64(packed, scene, effects, settings, x, y, o.sample);

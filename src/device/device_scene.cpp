@@ -1,6 +1,7 @@
 #include "device/device_scene.h"
 
 #include "device/light_table.h"
+#include "scene/limits.h"
 #include "shared/structs.h"
 
 #include <algorithm>
@@ -212,18 +213,17 @@ void fillEmpty(PackedScene& packed) {
 } // namespace
 
 BsdfType effectiveBsdf(const Material& m) {
-  // Lobes narrower than this are a few hundred ulp wide, too narrow to be evaluated in float; refraction's is
-  // narrower still by the difference of the indices.
-  constexpr float kLeastAlpha = 1e-4F;
+  constexpr auto kLeast = static_cast<float>(kLeastRoughness);
   const bool coated = m.bsdf == BsdfType::Phong || m.bsdf == BsdfType::Microfacet;
   if (coated && m.specular == Vec3f(0.0F))
     return BsdfType::Diffuse;
   if (m.bsdf == BsdfType::Mirror && m.reflectance == Vec3f(0.0F))
     return BsdfType::Diffuse;
-  if (m.bsdf == BsdfType::RoughConductor && m.roughness < kLeastAlpha)
+  if (m.bsdf == BsdfType::RoughConductor && m.roughness < kLeast)
     return BsdfType::Conductor;
+  // Refraction's lobe is narrower by the difference of the indices.
   const float bend = std::min(1.0F, std::abs(m.intIor / m.extIor - 1.0F));
-  if (m.bsdf == BsdfType::RoughDielectric && m.roughness * bend < kLeastAlpha)
+  if (m.bsdf == BsdfType::RoughDielectric && m.roughness * bend < kLeast)
     return BsdfType::Dielectric;
   return m.bsdf;
 }

@@ -201,6 +201,7 @@ private:
   std::array<Branch, kMaxSplitDepth> m_branches{};
 };
 
+#include "host/make_program.inl"
 #include "host/render_with.inl"
 #include "host/replay_with.inl"
 

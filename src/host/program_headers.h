@@ -1,6 +1,7 @@
 #pragma once
 // What program.inl needs, to be included outside of the program's namespace.
 
+#include "device/camera_frame.h"
 #include "device/device_scene.h"
 #include "film/film.h"
 #include "host/effect_flags.h"

@@ -1,29 +1,16 @@
-#include "device/camera_frame.h"
 #include "host/program32.h"
 
 namespace vkpt {
 
-namespace {
-
-host32::Program<RuntimeEffects> makeProgram(const PackedScene& scene, const Scene& source,
-                                            const EffectSet& effects, const HostSettings& settings) {
-  return {scene,
-          frameConstants(source, scene.lightChoice, settings.estimator, settings.width, settings.height,
-                         settings.seed),
-          effects, settings.estimator.roulette, source.filter.shape};
-}
-
-} // namespace
-
 HostRender renderHost32(const PackedScene& scene, const Scene& source, const EffectSet& effects,
                         const HostSettings& settings, std::uint64_t frames, unsigned threads) {
-  const auto make = [&] { return makeProgram(scene, source, effects, settings); };
+  const auto make = [&] { return host32::makeProgram(scene, source, effects, settings); };
   return host32::renderWith(make, settings.width, settings.height, frames, threads);
 }
 
 Replay replay32(const PackedScene& scene, const Scene& source, const EffectSet& effects,
                 const HostSettings& settings, int x, int y, std::uint64_t sample) {
-  auto program = makeProgram(scene, source, effects, settings);
+  auto program = host32::makeProgram(scene, source, effects, settings);
   return host32::replayWith(program, x, y, sample);
 }
 

@@ -10,4 +10,8 @@ inline constexpr double kLargestColour = 1e12;
 inline constexpr double kLeastIor = 1e-6;
 inline constexpr double kLargestIor = 1e6;
 
+/// Of a rough material's alpha: narrower lobes are a few hundred ulp wide, too narrow to be evaluated in
+/// float, and the surface is taken as smooth.
+inline constexpr double kLeastRoughness = 1e-4;
+
 } // namespace vkpt

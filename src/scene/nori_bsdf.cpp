@@ -17,8 +17,6 @@ namespace {
 constexpr double kDefaultIntIor = 1.5046;   // BK7
 constexpr double kDefaultExtIor = 1.000277; // air
 constexpr double kDefaultAlpha = 0.1;
-/// Below it microfacets cannot be told from a smooth surface, nor sampled in float.
-constexpr double kLeastAlpha = 1e-4;
 
 constexpr NoriRule kReflectance{"0 to 1e12", [](double x) { return x >= 0.0 && x <= kLargestColour; }};
 constexpr NoriRule kShare{"0 to 1: the rest is specular", [](double x) { return x >= 0.0 && x <= 1.0; }};
@@ -27,7 +25,7 @@ constexpr NoriRule kIor{"1e-6 to 1e6; glass has 1.5",
 constexpr NoriRule kEta{"1e-6 to 1e6", [](double x) { return x >= kLeastIor && x <= kLargestIor; }};
 constexpr NoriRule kExtinction{"0 to 1e6", [](double x) { return x >= 0.0 && x <= kLargestIor; }};
 constexpr NoriRule kExponent{"0 to 1e6", [](double x) { return x >= 0.0 && x <= 1e6; }};
-constexpr NoriRule kCoatAlpha{"1e-4 to 10", [](double x) { return x >= kLeastAlpha && x <= 10.0; }};
+constexpr NoriRule kCoatAlpha{"1e-4 to 10", [](double x) { return x >= kLeastRoughness && x <= 10.0; }};
 constexpr NoriRule kAlpha{"0 (smooth) to 10", [](double x) { return x >= 0.0 && x <= 10.0; }};
 
 double largest(const Vec3d& colour) { return std::max({colour.x, colour.y, colour.z}); }
@@ -121,7 +119,7 @@ void roughen(NoriObject& object, Material& out, BsdfType rough) {
                      fmt::format("unknown distribution '{}'; give ggx or beckmann{}", shown(name),
                                  didYouMean(name, kNames)));
   }
-  if (alpha < kLeastAlpha) {
+  if (alpha < kLeastRoughness) {
     return;
   }
   out.bsdf = rough;

@@ -1,17 +1,12 @@
 #include "study/setting_run.h"
 
 #include "core/clock.h"
+#include "render/render_job.h"
 
 #include <algorithm>
 #include <bit>
 
 namespace vkpt {
-namespace {
-
-constexpr std::uint64_t kMostBlocks = 16384; // 2^20 slots: 96 MB of path states
-
-} // namespace
-
 SettingRun::SettingRun(const gpu::Context& context, const Scene& scene, const StudySetting& setting)
     : m_scene(scene), m_batch(setting.batch) {
   const Stopwatch watch;
@@ -56,7 +51,7 @@ void SettingRun::step(const std::optional<std::uint64_t>& frameLimit,
   const std::uint32_t blocks = m_integrator->blockCount();
   for (std::uint32_t first = 0; first < blocks;) {
     const std::uint64_t wanted = m_sizer.next() / (shared::kBlockPixels * count);
-    const auto most = static_cast<std::uint32_t>(std::clamp<std::uint64_t>(wanted, 1, kMostBlocks));
+    const auto most = static_cast<std::uint32_t>(std::clamp<std::uint64_t>(wanted, 1, kMostTileBlocks));
     const Tile tile{first, std::min(most, blocks - first)};
     const Stopwatch watch;
     const std::uint64_t samples = m_integrator->renderTile(tile, m_frames, static_cast<std::uint32_t>(count));

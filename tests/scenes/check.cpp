@@ -74,6 +74,19 @@ void Trial::expectConstant(const Film& film, const Vec3d& value, int operations,
   }
 }
 
+Rendered Trial::expectSameWhenCarried(const Scene& scene, RenderSetup setup) {
+  setup.seed = seedOf(m_check);
+  const Rendered whole = render(scene, setup);
+  setup.batch = 1;
+  const Rendered single = render(scene, setup);
+  if (m_kernel.mutation == 0) {
+    expect(whole.counters.carriedPaths > 50,
+           fmt::format("only {} paths were carried over", whole.counters.carriedPaths));
+  }
+  expect(identical(whole.film, single.film), "batches of 16 and of 1 differ");
+  return whole;
+}
+
 void Trial::expectEqualMeans(const Film& a, const Film& b, double tolerance, const std::string& what) {
   const Estimate ea = estimateOf(a);
   const Estimate eb = estimateOf(b);

@@ -30,6 +30,9 @@ public:
   /// No channel of the two images' means differs by more than 4 standard errors; these are below a third of
   /// `tolerance` (relative to b's mean).
   void expectEqualMeans(const Film& a, const Film& b, double tolerance, const std::string& what);
+  /// The same bits with as many samples a batch as there can be, and with one: then paths are carried over to
+  /// the next dispatch elsewhere. On the shipped kernel enough of them must be. Returns the first render.
+  Rendered expectSameWhenCarried(const Scene& scene, RenderSetup setup);
 
   [[nodiscard]] const std::vector<std::string>& failures() const { return m_failures; }
   [[nodiscard]] const std::vector<Film>& pictures() const { return m_pictures; }

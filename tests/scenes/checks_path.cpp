@@ -143,16 +143,7 @@ void lightAndBsdfIndependent(Trial& t) {
 /// don't mind).
 void carriedPaths(Trial& t) {
   const Scene scene = furnace(Vec3f(0.999F));
-  RenderSetup setup{.estimator = lightSampling(), .width = 8, .height = 8, .frames = 16};
-  setup.seed = seedOf("carriedPaths");
-  const Rendered whole = t.render(scene, setup);
-  setup.batch = 1;
-  const Rendered single = t.render(scene, setup);
-  if (t.kernel().mutation == 0) {
-    t.expect(whole.counters.carriedPaths > 50,
-             fmt::format("only {} paths were carried over", whole.counters.carriedPaths));
-  }
-  t.expect(identical(whole.film, single.film), "batches of 16 and of 1 differ");
+  t.expectSameWhenCarried(scene, {.estimator = lightSampling(), .width = 8, .height = 8, .frames = 16});
 }
 
 constexpr Check kChecks[] = {

@@ -147,16 +147,8 @@ void carriedBranches(Trial& t) {
   SceneBuilder builder = slab(60.0);
   plate(builder, -0.5, 50.0, true, glass(1.5F));
   plate(builder, -0.8, 50.0, false, glass(1.5F));
-  RenderSetup setup{
-      .estimator = splitting(10), .width = 8, .height = 8, .frames = 16, .seed = seedOf("carriedBranches")};
-  const Rendered whole = t.render(builder.build(), setup);
-  setup.batch = 1;
-  const Rendered single = t.render(builder.build(), setup);
-  if (t.kernel().mutation == 0) {
-    t.expect(whole.counters.carriedPaths > 50,
-             fmt::format("only {} paths were carried over", whole.counters.carriedPaths));
-  }
-  t.expect(identical(whole.film, single.film), "batches of 16 and of 1 differ");
+  const Rendered whole = t.expectSameWhenCarried(
+      builder.build(), {.estimator = splitting(10), .width = 8, .height = 8, .frames = 16});
   const Estimate e = estimateOf(whole.film); // an absorption-free stack: all light is red or green
   t.expect(std::abs(e.mean.x + e.mean.y - 1.0) < 0.02,
            fmt::format("the branches hold {:.6f} of the light", e.mean.x + e.mean.y));

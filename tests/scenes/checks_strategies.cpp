@@ -280,16 +280,7 @@ void misIsNeverMuchWorse(Trial& t) {
 /// As carriedPaths: what a path must remember to weigh the emission it meets.
 void carriedDensities(Trial& t) {
   const Scene scene = furnace(Vec3f(0.99F));
-  RenderSetup setup{.estimator = misSampling(), .width = 8, .height = 8, .frames = 16};
-  setup.seed = seedOf("carriedDensities");
-  const Rendered whole = t.render(scene, setup);
-  setup.batch = 1;
-  const Rendered single = t.render(scene, setup);
-  if (t.kernel().mutation == 0) {
-    t.expect(whole.counters.carriedPaths > 50,
-             fmt::format("only {} paths were carried over", whole.counters.carriedPaths));
-  }
-  t.expect(identical(whole.film, single.film), "batches of 16 and of 1 differ");
+  t.expectSameWhenCarried(scene, {.estimator = misSampling(), .width = 8, .height = 8, .frames = 16});
 }
 
 constexpr Check kChecks[] = {
