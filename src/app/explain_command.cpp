@@ -2,6 +2,7 @@
 
 #include "app/cache_folder.h"
 #include "app/commands.h"
+#include "app/expanded_options.h"
 #include "app/explain_report.h"
 #include "app/load_scene.h"
 

@@ -1,6 +1,7 @@
 #include "app/load_scene.h"
 
 #include "app/environment_file.h"
+#include "app/expanded_options.h"
 #include "device/effects.h"
 #include "scene/load.h"
 

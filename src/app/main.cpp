@@ -1,5 +1,4 @@
-// The command: parses the options and hands over to one command. The render loop is one hop from runRender()
-// away.
+// The command: parses the options and hands over to one command. runRender() leads to the render loop.
 
 #include "app/commands.h"
 

@@ -1,5 +1,6 @@
 #include "app/outputs.h"
 
+#include "app/expanded_options.h"
 #include "film/codecs.h"
 #include "scene/names.h"
 

@@ -3,26 +3,15 @@
 #include "app/cache_folder.h"
 #include "app/commands.h"
 #include "app/interrupt.h"
-#include "app/load_scene.h"
-#include "app/outputs.h"
 #include "app/progress.h"
-#include "app/run_report.h"
+#include "app/render_run.h"
 #include "core/clock.h"
 
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
-#include <algorithm>
-#include <iterator>
-
 namespace vkpt {
 namespace {
-
-RenderJob withDefaults(RenderJob job, const Scene& scene) {
-  if (!job.frames && !job.seconds && !job.targetError)
-    job.frames = static_cast<std::uint64_t>(scene.defaultFrames);
-  return job;
-}
 
 ExitCode conclude(const RenderOptions& o, const RunReport& report, const gpu::Context& context) {
   if (o.log != LogLevel::Quiet)
@@ -41,59 +30,18 @@ ExitCode conclude(const RenderOptions& o, const RunReport& report, const gpu::Co
 ExitCode runRender(const RenderOptions& o) {
   checkOutputs(o);
   const InterruptGuard interrupts;
-  RunReport report;
-  Stopwatch watch;
-
-  const Scene scene = loadSceneFor(o, report.sceneReport);
-  checkOutputSizes(o, scene.width, scene.height);
-  const RenderJob job = withDefaults(o.job, scene);
-  const EstimatorSettings estimator = estimatorFor(o, scene);
-  for (const auto& line : describeOptions(o, job, scene, estimator))
-    spdlog::debug("{}", line);
-  report.seconds.load = watch.restart();
-
-  const EffectSet detected = detectEffects(scene, estimator);
-  const EffectSet effects = effectsFor(o, detected, report.sceneReport);
+  const PreparedRun prepared = prepareRun(o);
   const gpu::Context context({o.device, o.validation, pipelineCacheFolder()});
-  watch.restart();
-  const PackedScene packed = packScene(scene, estimator, effects);
-  noteLeftOut(packed.leftOut, report.sceneReport);
-  const DeviceScene deviceScene = uploadScene(context, packed);
-  report.seconds.build = watch.restart();
-
-  Integrator integrator(context, deviceScene, scene, effects,
-                        {estimator, scene.width, scene.height, o.seed, {}, {}});
-  integrator.warmUp();
-  report.seconds.compile = watch.restart();
-
-  Film film;
+  FinishedRun run;
   {
     ProgressLine progress(o.progress);
-    report.result = renderUntil(integrator, film, job, progress);
+    run = renderRun(o, prepared, context, progress);
   }
-  report.seconds.render = report.result.seconds;
-  report.scene = scene.name;
-  report.width = scene.width;
-  report.height = scene.height;
-  report.counters = integrator.counters();
-  report.faults = integrator.faults();
-  report.arguments = o.arguments;
-  report.film = filmStatistics(film);
-  report.tail = estimateTail(film);
-  report.effects = effects.names();
-  report.device = context.info().name;
-  report.seed = o.seed;
-  report.deviceBytes = deviceScene.bytes() + integrator.filmBytes();
-  report.bias = biasOf(o, estimator);
-  std::ranges::move(effectsBias(o.effects, detected), std::back_inserter(report.bias));
-  if (report.counters.faults() > 0 && report.result.stop != StopReason::User)
-    report.result.stop = StopReason::Fault;
-
-  watch.restart();
-  writeImages(o, report, film, estimator.kindImages ? integrator.kindImages(film) : KindImages());
-  report.seconds.output = watch.restart();
-  writeStats(o, report);
-  return conclude(o, report, context);
+  const Stopwatch watch;
+  writeImages(o, run.report, run.film, run.kinds);
+  run.report.seconds.output = watch.seconds();
+  writeStats(o, run.report);
+  return conclude(o, run.report, context);
 }
 
 } // namespace vkpt

@@ -2,6 +2,7 @@
 
 #include "app/commands.h"
 #include "app/effects_option.h"
+#include "app/expanded_options.h"
 #include "app/load_scene.h"
 #include "host/replay.h"
 

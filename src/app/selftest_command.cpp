@@ -1,6 +1,7 @@
 #include "app/cache_folder.h"
 #include "app/commands.h"
 #include "app/environment_file.h"
+#include "app/expanded_options.h"
 #include "selftest/run_tests.h"
 
 #include <fmt/format.h>

@@ -2,6 +2,7 @@
 
 #include "app/cache_folder.h"
 #include "app/commands.h"
+#include "app/expanded_options.h"
 #include "app/interrupt.h"
 #include "app/load_scene.h"
 #include "app/status_line.h"

@@ -1,5 +1,6 @@
 #include "app/study_options.h"
 
+#include "app/expanded_options.h"
 #include "app/option_parser.h"
 #include "app/option_values.h"
 
