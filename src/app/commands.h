@@ -13,6 +13,7 @@ ExitCode runExplain(const RenderOptions& options);
 ExitCode runListScenes();
 /// With options of their own: the arguments behind the command's name.
 ExitCode runCompare(const std::vector<std::string>& arguments);
+ExitCode runAssignment(const std::vector<std::string>& arguments);
 ExitCode runStudy(const std::vector<std::string>& arguments);
 
 } // namespace vkpt

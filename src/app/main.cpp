@@ -14,6 +14,8 @@ vkpt::ExitCode run(const std::vector<std::string>& arguments) {
   using vkpt::Command;
   if (!arguments.empty() && arguments.front() == "compare")
     return vkpt::runCompare({arguments.begin() + 1, arguments.end()});
+  if (!arguments.empty() && arguments.front() == "assignment")
+    return vkpt::runAssignment({arguments.begin() + 1, arguments.end()});
   if (!arguments.empty() && arguments.front() == "study")
     return vkpt::runStudy({arguments.begin() + 1, arguments.end()});
   const vkpt::CommandLine line = vkpt::parseCommandLine(arguments);

@@ -21,6 +21,7 @@ constexpr const char* kUsage =
     "       vkpt devices                  the Vulkan devices, and which one would be used\n"
     "       vkpt selftest FILE.xml        a file's own tests: of BSDFs, and of scenes on this device\n"
     "       vkpt study [SCENE...]         what accuracy costs in time, as a report; see vkpt study --help\n"
+    "       vkpt assignment a|b           every deliverable of an assignment; see vkpt assignment --help\n"
     "       vkpt compare IMAGE REFERENCE  error metrics and a difference picture; see vkpt compare --help\n";
 constexpr const char* kExamples =
     "Examples:\n"

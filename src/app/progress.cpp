@@ -1,6 +1,7 @@
 #include "app/progress.h"
 
 #include "app/interrupt.h"
+#include "core/duration.h"
 
 #include <fmt/format.h>
 
@@ -10,10 +11,12 @@ namespace {
 std::string text(const RenderProgress& p) {
   std::string line = fmt::format("{:.1f} frames, {:.1f} s", p.frames, p.seconds);
   if (p.remainingSeconds)
-    line += fmt::format(", {:.1f} s left", *p.remainingSeconds);
+    line += fmt::format(", {} left", durationText(*p.remainingSeconds));
   line += fmt::format(", {:.2f} Msamples/s", p.samplesPerSecond * 1e-6);
   if (p.relativeError)
     line += fmt::format(", error {:.2f} %", *p.relativeError * 100.0);
+  if (p.relativeError && p.targetError)
+    line += fmt::format(" (target {:.3g} %)", *p.targetError * 100.0);
   return line;
 }
 

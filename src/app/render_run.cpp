@@ -24,6 +24,7 @@ RunReport reportOf(const RenderOptions& o, const PreparedRun& p) {
   report.scene = p.scene.name;
   report.width = p.scene.width;
   report.height = p.scene.height;
+  report.targetError = p.job.targetError;
   report.seed = o.seed;
   report.arguments = o.arguments;
   report.sceneReport = p.sceneReport;

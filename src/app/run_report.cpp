@@ -1,5 +1,7 @@
 #include "app/run_report.h"
 
+#include "core/duration.h"
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
@@ -10,6 +12,8 @@
 
 namespace vkpt {
 namespace {
+
+constexpr double kFarExtrapolation = 10.0; // times what was rendered: worth a word
 
 nlohmann::ordered_json rgb(const Vec3d& v) { return {v.x, v.y, v.z}; }
 
@@ -28,16 +32,34 @@ std::string errorText(const FilmStatistics& film) {
                      film.relativeError * 100.0, film.relativeErrorUpper * 100.0);
 }
 
+std::string lawText(const CostOfError& cost) {
+  return cost.measured ? fmt::format("measured: the error falls with frames to the {:.2f}", cost.exponent)
+                       : std::string("by the law of independent samples: fewer than 3 looks at the error");
+}
+
 /// What more would cost; empty where that is not known.
 std::string costText(const RunReport& r) {
-  const auto cost = costOfHalf(r.result.looks, r.seconds.render);
+  const auto cost = costOfError(0.5, r.result.looks, r.seconds.render);
   if (!cost)
     return {};
-  const std::string law =
-      cost->measured ? fmt::format("measured: the error falls with frames to the {:.2f}", cost->exponent)
-                     : std::string("by the law of independent samples: fewer than 3 looks at the error");
-  return fmt::format("the error is {:.2g} %; half of it would take another {:.3g} s ({})",
-                     r.film.relativeError * 100.0, cost->more, law);
+  return fmt::format("the error is {:.2g} %; half of it would take another {} ({})",
+                     r.film.relativeError * 100.0, durationText(cost->more), lawText(*cost));
+}
+
+/// When a target that was missed would be met; empty where there was none, or it was met. The rule that stops
+/// looks at the upper bound.
+std::string targetText(const RunReport& r) {
+  if (!r.targetError || !(r.film.relativeErrorUpper > *r.targetError))
+    return {};
+  const std::string missed = fmt::format("the target, {:.3g} %, was not reached", *r.targetError * 100.0);
+  const auto cost = costOfError(*r.targetError / r.film.relativeErrorUpper, r.result.looks, r.seconds.render);
+  if (!cost)
+    return missed + "; when it would be is not known, since the error does not fall yet";
+  const double times = cost->more / std::max(r.seconds.render, 1e-9);
+  return fmt::format("{}; that would take another {}{}", missed, durationText(cost->more),
+                     times > kFarExtrapolation
+                         ? fmt::format(", an extrapolation over {:.2g} times this run", times)
+                         : std::string());
 }
 
 double samplesPerSecond(const RunReport& r) {
@@ -199,6 +221,8 @@ std::string summaryText(const RunReport& r, const std::vector<fs::path>& outputs
                    errorText(r.film)));
   if (const std::string cost = costText(r); !cost.empty())
     line(cost);
+  if (const std::string target = targetText(r); !target.empty())
+    line(target);
   if (const std::string warning = tailWarning(r); !warning.empty())
     line(warning);
   if (r.counters.cappedPaths > 0)

@@ -13,6 +13,7 @@ struct RunReport {
   int width = 0;
   int height = 0;
   RenderResult result;
+  std::optional<double> targetError; ///< that was asked for
   struct Seconds {
     double load = 0.0;
     double build = 0.0;

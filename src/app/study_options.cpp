@@ -3,6 +3,7 @@
 #include "app/expanded_options.h"
 #include "app/option_parser.h"
 #include "app/option_values.h"
+#include "scene/names.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -76,8 +77,26 @@ RenderOptions parseRest(const std::vector<std::string>& arguments) {
   };
   refuse(!o.stats.empty(), "--stats");
   refuse(!o.kindPrefix.empty(), "--output-paths");
-  refuse(o.job.targetError.has_value(), "--target-error");
   return o;
+}
+
+/// .obj files are together one scene, every other name is a scene of its own.
+std::vector<std::vector<fs::path>> scenesOf(const std::vector<fs::path>& names) {
+  std::vector<std::vector<fs::path>> scenes;
+  std::optional<std::size_t> objects;
+  for (const fs::path& name : names) {
+    const bool isObject = lowerCase(name.extension().string()) == ".obj";
+    if (isObject && objects) {
+      scenes[*objects].push_back(name);
+      continue;
+    }
+    if (isObject)
+      objects = scenes.size();
+    scenes.push_back({name});
+  }
+  if (scenes.empty())
+    scenes.emplace_back(); // the default
+  return scenes;
 }
 
 std::vector<StudyVariant> variantsOf(const std::vector<Vary>& varied, const std::vector<std::string>& rest) {
@@ -143,21 +162,27 @@ std::optional<StudyOptions> parseStudyOptions(const std::vector<std::string>& ar
   StudyOptions o;
   std::vector<Vary> varied;
   CLI::App app("Error against time, as a report: every setting for the same time, in turns, against a "
-               "reference.\nUsage: vkpt study [SCENE...] [options] [options of render]",
+               "reference. .obj files are together one scene; built-in names and .xml files are one "
+               "each.\nUsage: vkpt study [SCENE...] [options] [options of render]",
                "vkpt study");
-  app.footer("Options of render hold for all settings, e.g. --frames N as a second limit; --size has another "
-             "default: the longer side 256 pixels, or the reference's.\n"
-             "Examples:\n"
-             "  vkpt study cornell-spheres --vary split=0,1,2,4 --class caustic\n"
-             "  vkpt study q-scene.xml --vary roulette=constant=1.0,constant=0.7,constant=0.4,constant=0.1\n"
-             "  vkpt study cornell-spheres --ablate -o what-matters\n"
-             "Exit codes: as of render");
+  app.footer(
+      "Options of render hold for all settings, e.g. --frames N or --target-error E (measured) as further "
+      "limits; --size has another default: the longer side 256 pixels, or the reference's.\n"
+      "Examples:\n"
+      "  vkpt study cornell-spheres --vary split=0,1,2,4 --class caustic\n"
+      "  vkpt study q-scene.xml --vary roulette=constant=1.0,constant=0.7,constant=0.4,constant=0.1\n"
+      "  vkpt study cornell-spheres --ablate -o what-matters\n"
+      "  vkpt study cornell cornell-spheres cbox.xml --vary light=nee,mis --time 3 -o lights\n"
+      "Exit codes: as of render");
   app.allow_extras();
   addOptions(app, o, varied);
   if (!parseArguments(app, arguments, "vkpt study --help"))
     return std::nullopt;
   const std::vector<std::string> rest = app.remaining();
   o.common = parseRest(rest);
+  o.scenes = scenesOf(o.common.scenes);
+  if (o.scenes.size() > 1 && !o.reference.empty())
+    throw UsageError(fmt::format("--reference: for one scene, and there are {}", o.scenes.size()));
   o.variants = variantsOf(varied, rest);
   if (o.ablate && o.variants.size() > 1)
     throw UsageError("--ablate and --vary: give one of them");

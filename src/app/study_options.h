@@ -12,7 +12,8 @@ struct StudyVariant {
 };
 
 struct StudyOptions {
-  RenderOptions common; ///< what all settings share
+  std::vector<std::vector<fs::path>> scenes; ///< the files of each
+  RenderOptions common;                      ///< what all settings share; its scenes are all files
   std::vector<StudyVariant> variants;
   std::optional<std::uint32_t> pathKinds; ///< --class: bit i: PathKind i
   std::string kindName;                   ///< of it

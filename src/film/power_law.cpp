@@ -7,7 +7,7 @@ namespace {
 
 constexpr std::size_t kLeastLooks = 3;
 constexpr double kIndependent = -0.5;
-constexpr double kSlowestFall = -0.05; // a millionfold work for half the error: not worth a figure
+constexpr double kSlowestFall = -0.05; // a millionfold work for half of it: not worth a figure
 
 bool isUsable(const ErrorAtWork& p) {
   return std::isfinite(p.work) && p.work > 0.0 && std::isfinite(p.error) && p.error > 0.0;
@@ -50,10 +50,10 @@ std::optional<PowerLaw> fitPowerLaw(std::span<const ErrorAtWork> points) {
   return PowerLaw{exponent, std::exp(y - exponent * x)};
 }
 
-std::optional<CostOfHalf> costOfHalf(std::span<const ErrorAtWork> looks, double work) {
+std::optional<CostOfError> costOfError(double share, std::span<const ErrorAtWork> looks, double work) {
   if (looks.empty() || !isUsable(looks.back()))
     return std::nullopt;
-  CostOfHalf cost{0.0, kIndependent, false};
+  CostOfError cost{0.0, kIndependent, false};
   if (looks.size() >= kLeastLooks) {
     const std::optional<PowerLaw> law = fitPowerLaw(looks);
     if (!law || law->exponent > kSlowestFall)
@@ -61,7 +61,7 @@ std::optional<CostOfHalf> costOfHalf(std::span<const ErrorAtWork> looks, double 
     cost.exponent = law->exponent;
     cost.measured = true;
   }
-  cost.more = work * (std::pow(0.5, 1.0 / cost.exponent) - 1.0);
+  cost.more = work * (std::pow(share, 1.0 / cost.exponent) - 1.0);
   return cost;
 }
 

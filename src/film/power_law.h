@@ -26,16 +26,16 @@ struct PowerLaw {
 /// are not finite and above 0 are left out.
 std::optional<PowerLaw> fitPowerLaw(std::span<const ErrorAtWork> points);
 
-/// What halving the error would cost.
-struct CostOfHalf {
+/// What a smaller error would cost.
+struct CostOfError {
   double more = 0.0;     ///< work beyond what was done, in its unit
   double exponent = 0.0; ///< by which the error falls
   bool measured = false; ///< else the law of independent samples, -1/2, for want of looks
 };
 
-/// `looks` are the run's errors so far, the last one of the whole run, after `work` of whatever unit the
-/// answer is wanted in. Measured with three looks or more. Nothing while no error is known, or where the
-/// measured one does not fall.
-std::optional<CostOfHalf> costOfHalf(std::span<const ErrorAtWork> looks, double work);
+/// To lower the error to `share` of what it is, 0 < share < 1. `looks` are the run's errors so far, the last
+/// one of the whole run, after `work` of whatever unit the answer is wanted in. Measured with three looks or
+/// more. Nothing while no error is known, or where the measured one does not fall.
+std::optional<CostOfError> costOfError(double share, std::span<const ErrorAtWork> looks, double work);
 
 } // namespace vkpt

@@ -78,10 +78,20 @@ private:
     m_lookSeconds = watch.seconds();
     m_error = film.relativeErrorUpper; // 95 % confident
     m_looks.push_back({m_frames, film.relativeError});
+    m_lookedAt = m_clock.seconds();
   }
 
   [[nodiscard]] bool errorReached() const {
     return m_job.targetError && m_error && *m_error <= *m_job.targetError;
+  }
+
+  /// From the start to the target, along the slope that this run's looks have; nothing where it does not
+  /// fall.
+  [[nodiscard]] std::optional<double> secondsToTarget() const {
+    if (!m_job.targetError || !m_error)
+      return std::nullopt;
+    const auto cost = costOfError(*m_job.targetError / *m_error, m_looks, m_lookedAt);
+    return cost ? std::optional(m_lookedAt + cost->more) : std::nullopt;
   }
 
   void report() {
@@ -90,6 +100,7 @@ private:
     p.seconds = m_clock.seconds();
     p.samplesPerSecond = m_frames * m_pixels / std::max(p.seconds, 1e-9);
     p.relativeError = m_error;
+    p.targetError = m_job.targetError;
     const auto sooner = [&](double seconds) {
       p.remainingSeconds = std::max(0.0, std::min(seconds, p.remainingSeconds.value_or(seconds)));
     };
@@ -97,11 +108,8 @@ private:
       sooner(*m_job.seconds - p.seconds);
     if (m_job.frames)
       sooner(p.seconds * (static_cast<double>(*m_job.frames) / m_frames - 1.0));
-    if (m_error &&
-        m_job.targetError) { // independent samples: the error falls with the square root of their number
-      const double factor = *m_error / *m_job.targetError;
-      sooner(p.seconds * (factor * factor - 1.0));
-    }
+    if (const auto seconds = secondsToTarget())
+      sooner(*seconds - p.seconds);
     m_observer.onProgress(p);
   }
 
@@ -117,6 +125,7 @@ private:
   double m_lookSeconds = 0.0; // that the last look took
   std::optional<double> m_error;
   std::vector<ErrorAtWork> m_looks;
+  double m_lookedAt = 0.0; // seconds, the last time
 };
 
 } // namespace

@@ -14,6 +14,7 @@ struct RenderProgress {
   std::optional<double> remainingSeconds; ///< by the rule that will stop the run first, where that is known
   double samplesPerSecond = 0.0;
   std::optional<double> relativeError; ///< 95 % upper bound, as of the last look at the film
+  std::optional<double> targetError;   ///< that ends the run
 };
 
 /// Watches a run. The loop calls it after every unit of work; it may not touch the integrator.

@@ -1,5 +1,5 @@
-# cmake -DOUTPUT=... -DASSETS=folder -DNAMES=a.obj,b.mtl -P embed_assets.cmake
-# Writes a C++ file that holds the named text files and is what vkpt::embeddedAssets() returns.
+# cmake -DOUTPUT=... -DASSETS=folder -DNAMES=a.obj,b.mtl -DFUNCTION=name -DHEADER=file.h -P embed_assets.cmake
+# Writes a C++ file that holds the named text files and is what vkpt::FUNCTION(), declared in HEADER, returns.
 string(REPLACE "," ";" names "${NAMES}")
 set(entries "")
 foreach(name IN LISTS names)
@@ -10,8 +10,8 @@ foreach(name IN LISTS names)
   endif()
   string(APPEND entries "    {\"${name}\", R\"vkpt(${text})vkpt\"},\n")
 endforeach()
-file(WRITE "${OUTPUT}" "// Made from assets/ by embed_assets.cmake.
-#include \"scene/sources.h\"
+file(WRITE "${OUTPUT}" "// Made by embed_assets.cmake.
+#include \"${HEADER}\"
 
 namespace vkpt {
 
@@ -20,7 +20,7 @@ constexpr EmbeddedAsset kAssets[] = {
 ${entries}};
 } // namespace
 
-std::span<const EmbeddedAsset> embeddedAssets() { return kAssets; }
+std::span<const EmbeddedAsset> ${FUNCTION}() { return kAssets; }
 
 } // namespace vkpt
 ")

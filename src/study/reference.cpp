@@ -18,7 +18,7 @@ void add(SquaredError& sum, const Vec3d& squares, const Vec3d& b, double floor) 
   }
 }
 
-SquaredError over(const SquaredError& sum, double values) {
+SquaredError dividedBy(double values, const SquaredError& sum) {
   return values > 0.0 ? SquaredError{sum.mse / values, sum.relMse / values} : SquaredError{};
 }
 
@@ -68,25 +68,34 @@ void Reference::summarise() {
   m_imageError = glm::sqrt(variance) / pixels;
   const double m = (m_imageMean.x + m_imageMean.y + m_imageMean.z) / 3.0;
   m_floor = (0.01 * m) * (0.01 * m);
-  SquaredError noise;
-  for (std::size_t i = 0; i < m_mean.size(); ++i)
-    if (isFinite(m_mean[i]))
-      add(noise, m_variance[i], m_mean[i], m_floor);
-  m_noise = over(noise, 3.0 * pixels);
+  m_noise = over([this](std::size_t i) { return m_variance[i]; });
+}
+
+template<class Function>
+SquaredError Reference::over(Function&& squaresAt) const {
+  SquaredError sum;
+  double pixels = 0.0;
+  for (std::size_t i = 0; i < m_mean.size(); ++i) {
+    const Vec3d squares = squaresAt(i);
+    if (!isFinite(squares) || !isFinite(m_mean[i]))
+      continue;
+    add(sum, squares, m_mean[i], m_floor);
+    pixels += 1.0;
+  }
+  return dividedBy(3.0 * pixels, sum);
 }
 
 SquaredError Reference::measure(const Film& film) const {
   assert(film.pixels.size() == m_mean.size());
-  SquaredError sum;
-  double pixels = 0.0;
-  for (std::size_t i = 0; i < m_mean.size(); ++i) {
+  return over([&](std::size_t i) {
     const Vec3d difference = film.pixels[i].mean - m_mean[i];
-    if (!isFinite(difference))
-      continue;
-    add(sum, difference * difference, m_mean[i], m_floor);
-    pixels += 1.0;
-  }
-  return over(sum, 3.0 * pixels);
+    return difference * difference;
+  });
+}
+
+SquaredError Reference::predict(const Film& film) const {
+  assert(film.pixels.size() == m_mean.size());
+  return over([&](std::size_t i) { return film.pixels[i].varianceOfMean(); });
 }
 
 Image Reference::image() const {

@@ -28,11 +28,17 @@ public:
   [[nodiscard]] const SquaredError& noise() const { return m_noise; }
   /// As measured, with the reference's noise in it: E (a - b)^2 = error^2 + var b.
   [[nodiscard]] SquaredError measure(const Film& film) const;
+  /// What measure() is to be, but for the reference's noise, by the film's own variances: where it is more,
+  /// the film is biased, or its variances are too small. 0 while pixels have fewer than two samples.
+  [[nodiscard]] SquaredError predict(const Film& film) const;
   /// R, G and B.
   [[nodiscard]] Image image() const;
 
 private:
   void summarise();
+  /// Mean of squaresAt(pixel) in both forms, over the pixels where they are finite.
+  template<class Function>
+  [[nodiscard]] SquaredError over(Function&& squaresAt) const;
 
   int m_width = 0;
   int m_height = 0;

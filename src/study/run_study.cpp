@@ -22,6 +22,7 @@ public:
         m_runs(static_cast<double>(plan.settings.size()) * plan.seeds),
         m_reference(plan.referenceImage ? 0.0 : kReferenceWork * m_run) {}
 
+  bool compiling(const std::string& setting) { return tell(0.0, "compiling " + setting); }
   bool reference(double share) { return tell(share * m_reference, "reference"); }
   /// `runs`: finished ones and the shares of those under way.
   bool runs(double runs, const std::string& what) { return tell(m_reference + runs * m_run, what); }
@@ -78,15 +79,20 @@ public:
 
   StudyResult run() {
     m_result.ablation = m_plan.ablation;
+    m_result.targetError = m_plan.targetError;
     for (const StudySetting& setting : m_plan.settings) {
+      m_schedule.compiling(setting.name);
       m_runs.emplace_back(m_context, m_scene, setting);
       m_result.settings.push_back({setting, {}, m_runs.back().compileSeconds(), {}, 0});
     }
+    const Stopwatch watch;
     makeReference();
     for (std::uint32_t i = 0; i < m_plan.seeds && m_result.stop != StudyStop::User; ++i)
       runSeed(i);
     for (std::size_t i = 0; i < m_runs.size(); ++i)
       m_result.settings[i].faults = m_runs[i].faults();
+    m_result.overheadSeconds =
+        watch.seconds() - m_referenceCompileSeconds - m_result.referenceSeconds - m_result.renderSeconds;
     findCommonGround();
     return std::move(m_result);
   }
@@ -97,6 +103,7 @@ private:
       m_reference.emplace(*m_plan.referenceImage);
     } else {
       SettingRun run(m_context, m_scene, m_plan.reference);
+      m_referenceCompileSeconds = run.compileSeconds();
       run.restart(m_plan.firstSeed ^ kReferenceSeed);
       const RenderJob job = referenceJob(m_plan);
       ReferenceObserver observer(m_schedule, job);
@@ -116,6 +123,7 @@ private:
   }
 
   void runSeed(std::uint32_t index) {
+    m_reached.assign(m_runs.size(), false);
     for (std::size_t i = 0; i < m_runs.size(); ++i) {
       const std::uint32_t seed = m_plan.firstSeed + index;
       m_runs[i].restart(seed);
@@ -126,7 +134,7 @@ private:
       const double before = run.seconds();
       run.step(m_plan.frames, m_secondLimit);
       m_result.renderSeconds += run.seconds() - before;
-      if (run.isLookDue() || isFinished(run))
+      if (run.isLookDue() || isFinished(*i))
         look(*i);
       const std::string what = fmt::format("seed {} of {}, {}: {} frames", index + 1, m_plan.seeds,
                                            m_plan.settings[*i].name, run.frames());
@@ -140,15 +148,15 @@ private:
       conclude(i, index == 0);
   }
 
-  [[nodiscard]] bool isFinished(const SettingRun& run) const {
-    return run.finished(m_plan.frames, m_secondLimit);
+  [[nodiscard]] bool isFinished(std::size_t i) const {
+    return m_reached[i] || m_runs[i].finished(m_plan.frames, m_secondLimit);
   }
 
   /// The unfinished run with the least time.
   [[nodiscard]] std::optional<std::size_t> nextRun() const {
     std::optional<std::size_t> next;
     for (std::size_t i = 0; i < m_runs.size(); ++i) {
-      if (!isFinished(m_runs[i]) && (!next || m_runs[i].seconds() < m_runs[*next].seconds()))
+      if (!isFinished(i) && (!next || m_runs[i].seconds() < m_runs[*next].seconds()))
         next = i;
     }
     return next;
@@ -156,10 +164,11 @@ private:
 
   [[nodiscard]] double sharesDone() const {
     double sum = 0.0;
-    for (const SettingRun& run : m_runs) {
-      double share = 0.0;
+    for (std::size_t i = 0; i < m_runs.size(); ++i) {
+      const SettingRun& run = m_runs[i];
+      double share = m_reached[i] ? 1.0 : 0.0;
       if (m_secondLimit)
-        share = run.seconds() / *m_secondLimit;
+        share = std::max(share, run.seconds() / *m_secondLimit);
       if (m_plan.frames)
         share = std::max(share, static_cast<double>(run.frames()) / static_cast<double>(*m_plan.frames));
       sum += std::min(share, 1.0);
@@ -173,10 +182,15 @@ private:
     auto& points = m_result.settings[i].runs.back().points;
     if (run.frames() == 0 || (!points.empty() && points.back().frames == run.frames()))
       return;
-    const SquaredError measured = m_reference->measure(run.film());
+    const Film film = run.film();
+    const SquaredError measured = m_reference->measure(film);
     const SquaredError& noise = m_reference->noise();
-    points.push_back(
-        {run.frames(), run.seconds(), {measured.mse - noise.mse, measured.relMse - noise.relMse}});
+    points.push_back({run.frames(),
+                      run.seconds(),
+                      {measured.mse - noise.mse, measured.relMse - noise.relMse},
+                      m_reference->predict(film).relMse});
+    if (m_plan.targetError && points.back().error.relMse <= *m_plan.targetError * *m_plan.targetError)
+      m_reached[i] = true;
     if (!m_plan.ablation && noise.relMse > kMostReferenceNoise * measured.relMse) {
       m_result.stop = StudyStop::ReferenceNoise;
       m_secondLimit = std::min(run.seconds(), m_secondLimit.value_or(run.seconds()));
@@ -224,7 +238,9 @@ private:
   Schedule m_schedule;
   std::optional<double> m_secondLimit;
   std::vector<SettingRun> m_runs;
+  std::vector<bool> m_reached; ///< the target error, in this seed
   std::optional<Reference> m_reference;
+  double m_referenceCompileSeconds = 0.0;
   StudyResult m_result;
 };
 

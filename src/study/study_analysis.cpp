@@ -86,17 +86,28 @@ std::vector<CurvePoint> medianCurve(const SettingResult& setting) {
 }
 
 std::optional<TimeToError> medianTime(const SettingResult& setting, double error) {
-  std::vector<double> seconds;
-  bool extrapolated = false;
+  std::vector<TimeToError> times;
   for (const StudyRun& run : setting.runs) {
     const auto time = timeTo(run, error);
     if (!time)
       return std::nullopt;
-    seconds.push_back(time->seconds);
-    extrapolated = extrapolated || time->extrapolated;
+    times.push_back(*time);
   }
-  const auto spread = spreadOf(seconds);
-  return spread ? std::optional(TimeToError{spread->median, extrapolated}) : std::nullopt;
+  if (times.empty())
+    return std::nullopt;
+  std::ranges::sort(times, {}, &TimeToError::seconds);
+  const TimeToError& low = times[(times.size() - 1) / 2];
+  const TimeToError& high = times[times.size() / 2];
+  return TimeToError{0.5 * (low.seconds + high.seconds),
+                     std::ranges::any_of(times, &TimeToError::extrapolated), high.beyond};
+}
+
+/// Ends of runs whose variances are known.
+std::vector<double> overEnds(const SettingResult& setting, auto&& of) {
+  return overRuns(setting, [&](const StudyRun& run) -> std::optional<double> {
+    const StudyPoint& end = run.points.back();
+    return end.predicted > 0.0 ? std::optional<double>(of(end)) : std::nullopt;
+  });
 }
 
 double meanOf(const Vec3d& v) { return (v.x + v.y + v.z) / 3.0; }
@@ -137,10 +148,19 @@ SettingSummary summaryOf(const SettingResult& setting, const StudyResult& result
     const StudyPoint* p = pointAt(run, result.equalFrames);
     return p != nullptr && hasError(*p) ? std::optional(p->error.relMse) : std::nullopt;
   })));
-  for (const double level : kErrorLevels)
-    s.times.push_back(medianTime(setting, level));
   s.secondsPerFrame = secondsPerFrame(setting);
   s.energy = energyOf(setting, result);
+  s.lastingRelMse =
+      estimateOf(overEnds(setting, [](const StudyPoint& p) { return p.error.relMse - p.predicted; }));
+  if (const auto ratio = spreadOf(overEnds(setting, [](const StudyPoint& p) {
+        return std::sqrt(std::max(p.error.relMse, 0.0) / p.predicted);
+      })))
+    s.measuredOverPredicted = ratio->median;
+  for (const double level : errorLevels(result)) {
+    s.times.push_back(medianTime(setting, level));
+    if (s.isBiased() && s.times.back() && s.times.back()->extrapolated)
+      s.times.back().reset();
+  }
   return s;
 }
 
@@ -180,8 +200,7 @@ std::optional<double> relMseAt(const StudyRun& run, double seconds) {
   }
   if (points.size() == 1 && points[0].work == seconds)
     return points[0].error;
-  const auto law = fitPowerLaw(points);
-  return law ? std::optional(law->errorAfter(seconds)) : std::nullopt;
+  return std::nullopt;
 }
 
 std::optional<TimeToError> timeTo(const StudyRun& run, double error) {
@@ -191,15 +210,26 @@ std::optional<TimeToError> timeTo(const StudyRun& run, double error) {
     if (points[i].error > target)
       continue;
     if (i == 0) // it was there at the first look
-      return TimeToError{points[0].work, false};
+      return TimeToError{points[0].work, false, false};
     return TimeToError{
-        interpolate(points[i - 1].error, points[i - 1].work, points[i].error, points[i].work, target), false};
+        interpolate(points[i - 1].error, points[i - 1].work, points[i].error, points[i].work, target), false,
+        false};
   }
   const auto law = fitPowerLaw(points);
   if (!law || !(law->exponent < 0.0))
     return std::nullopt;
   const ErrorAtWork& end = points.back(); // on from here, as steep as the line
-  return TimeToError{end.work * std::pow(target / end.error, 1.0 / law->exponent), true};
+  const double times = std::pow(target / end.error, 1.0 / law->exponent);
+  if (times > kFarthestExtrapolation)
+    return TimeToError{end.work * kFarthestExtrapolation, true, true};
+  return TimeToError{end.work * times, true, false};
+}
+
+std::vector<double> errorLevels(const StudyResult& result) {
+  std::vector<double> levels{0.05, 0.02, 0.01};
+  if (result.targetError && std::ranges::find(levels, *result.targetError) == levels.end())
+    levels.push_back(*result.targetError);
+  return levels;
 }
 
 Ablation ablationOf(const SettingSummary& whole, const SettingSummary& rest) {

@@ -24,19 +24,23 @@ struct Estimate {
 };
 std::optional<Estimate> estimateOf(const std::vector<double>& values);
 
-/// relMSE after some rendering: between two points a straight line between logarithms, outside of them along
-/// the line that was fitted to all.
+/// relMSE after some rendering: between two points a straight line between logarithms. Nothing outside of
+/// them.
 std::optional<double> relMseAt(const StudyRun& run, double seconds);
 
 struct TimeToError {
   double seconds = 0.0;
-  bool extrapolated = false; ///< the run did not get there
+  bool extrapolated = false; ///< along the fitted line: the run did not get there
+  bool beyond = false;       ///< it takes longer than `seconds`, which is as far as a line is trusted
 };
 /// When the relative error falls below `error` for the first time. Nothing where it does not fall.
 std::optional<TimeToError> timeTo(const StudyRun& run, double error);
 
-/// The relative errors that the table of times is for.
-inline constexpr double kErrorLevels[] = {0.05, 0.02, 0.01};
+/// A line that was fitted to a run is followed to this many times its length: a tenth of its last error.
+inline constexpr double kFarthestExtrapolation = 100.0;
+
+/// The relative errors that the table of times is for: 5 %, 2 %, 1 %, and the target.
+std::vector<double> errorLevels(const StudyResult& result);
 
 /// A point of the curve that stands for a setting: medians over the seeds at equal frames, or at each one's
 /// end.
@@ -53,7 +57,11 @@ struct SettingSummary {
   std::optional<Estimate> slopeOverFrames; ///< against log frames
   std::optional<Spread> errorAtEqualTime;
   std::optional<Spread> errorAtEqualFrames;
-  std::vector<std::optional<TimeToError>> times; ///< to kErrorLevels, medians
+  /// To errorLevels(), medians. A bias ends the fall of the error: what it has not reached yet, it never may.
+  std::vector<std::optional<TimeToError>> times;
+  /// relMSE at the end beyond what the runs' variances tell: of a bias, what no time removes; else about 0.
+  std::optional<Estimate> lastingRelMse;
+  std::optional<double> measuredOverPredicted; ///< relative errors at the end, median; 1 for honest ones
   /// 1 / (relMSE x time) at equal time, over that of the first setting.
   std::optional<double> efficiency;
   double secondsPerFrame = 0.0;

@@ -2,9 +2,12 @@
 
 #include "study/study_report.h"
 
+#include "core/duration.h"
+
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 namespace vkpt {
@@ -37,8 +40,11 @@ Json json(const std::optional<Estimate>& e) {
 Json json(const StudyRun& run) {
   Json points = Json::array();
   for (const StudyPoint& p : run.points) {
-    points.push_back(
-        {{"frames", p.frames}, {"seconds", p.seconds}, {"mse", p.error.mse}, {"relMse", p.error.relMse}});
+    points.push_back({{"frames", p.frames},
+                      {"seconds", p.seconds},
+                      {"mse", p.error.mse},
+                      {"relMse", p.error.relMse},
+                      {"predictedRelMse", p.predicted}});
   }
   return {{"seed", run.seed},
           {"mean", rgb(run.mean)},
@@ -46,12 +52,13 @@ Json json(const StudyRun& run) {
           {"points", std::move(points)}};
 }
 
-Json json(const SettingResult& setting, const SettingSummary& s) {
+Json json(const SettingResult& setting, const SettingSummary& s, const std::vector<double>& levels) {
   Json times = Json::array();
   for (std::size_t i = 0; i < s.times.size(); ++i) {
-    times.push_back({{"relativeError", kErrorLevels[i]},
+    times.push_back({{"relativeError", levels[i]},
                      {"seconds", s.times[i] ? Json(s.times[i]->seconds) : Json(nullptr)},
-                     {"extrapolated", s.times[i] && s.times[i]->extrapolated}});
+                     {"extrapolated", s.times[i] && s.times[i]->extrapolated},
+                     {"beyond", s.times[i] && s.times[i]->beyond}});
   }
   Json runs = Json::array();
   for (const StudyRun& run : setting.runs)
@@ -66,6 +73,9 @@ Json json(const SettingResult& setting, const SettingSummary& s) {
           {"secondsPerFrame", s.secondsPerFrame},
           {"energy", json(std::optional(s.energy))},
           {"biased", s.isBiased()},
+          {"bias", setting.setting.bias},
+          {"lastingRelMse", json(s.lastingRelMse)},
+          {"measuredOverPredicted", s.measuredOverPredicted ? Json(*s.measuredOverPredicted) : Json(nullptr)},
           {"compileSeconds", setting.compileSeconds},
           {"faults", setting.faults},
           {"runs", std::move(runs)}};
@@ -86,22 +96,26 @@ const char* stopName(StudyStop stop) {
 } // namespace
 
 std::string resultsCsv(const StudyResult& result) {
-  std::string text = "setting,seed,frames,seconds,mse,relMse\n";
+  std::string text = "setting,seed,frames,seconds,mse,relMse,predictedRelMse\n";
   for (const SettingResult& setting : result.settings) {
     for (const StudyRun& run : setting.runs) {
       for (const StudyPoint& p : run.points)
-        text += fmt::format("{},{},{},{},{},{}\n", field(setting.setting.name), run.seed, p.frames, p.seconds,
-                            p.error.mse, p.error.relMse);
+        text += fmt::format("{},{},{},{},{},{},{}\n", field(setting.setting.name), run.seed, p.frames,
+                            p.seconds, p.error.mse, p.error.relMse, p.predicted);
     }
   }
   return text;
 }
 
-std::string resultsJson(const StudyFacts& facts, const StudyResult& result,
-                        const std::vector<SettingSummary>& summaries) {
+namespace {
+
+Json jsonOf(const StudySection& section) {
+  const StudyFacts& facts = section.facts;
+  const StudyResult& result = section.result;
+  const auto summaries = summarise(result);
   Json settings = Json::array();
   for (std::size_t i = 0; i < summaries.size(); ++i)
-    settings.push_back(json(result.settings[i], summaries[i]));
+    settings.push_back(json(result.settings[i], summaries[i], errorLevels(result)));
   Json j;
   j["schema"] = 1;
   j["command"] = facts.command;
@@ -117,7 +131,8 @@ std::string resultsJson(const StudyFacts& facts, const StudyResult& result,
                   {"compile", facts.compileSeconds},
                   {"reference", result.referenceSeconds},
                   {"render", result.renderSeconds},
-                  {"measure", result.measuringSeconds}};
+                  {"measure", result.measuringSeconds},
+                  {"overhead", result.overheadSeconds}};
   j["reference"] = {{"name", facts.referenceName},
                     {"frames", result.referenceFrames},
                     {"mean", rgb(result.referenceMean)},
@@ -126,6 +141,38 @@ std::string resultsJson(const StudyFacts& facts, const StudyResult& result,
                     {"noiseMse", result.referenceNoise.mse}};
   j["remarks"] = remarks(result, summaries);
   j["settings"] = std::move(settings);
+  return j;
+}
+
+/// A target that was set and that these runs did not reach, in a line; empty where there is none.
+std::string missedTarget(const StudyResult& result, const SettingSummary& s) {
+  if (!result.targetError)
+    return {};
+  const auto levels = errorLevels(result);
+  const auto at = std::ranges::find(levels, *result.targetError) - levels.begin();
+  const auto& time = s.times[static_cast<std::size_t>(at)];
+  if (time && !time->extrapolated)
+    return {};
+  const std::string missed =
+      fmt::format("{}: the target, {:.3g} %, was not reached", s.name, *result.targetError * 100.0);
+  if (!time)
+    return missed + (s.isBiased() ? ", and may never be: a bias remains." : ", and the error does not fall.");
+  if (time->beyond)
+    return missed + fmt::format("; it would take more than {}.", durationText(time->seconds));
+  return missed + fmt::format("; by its slope it would be after about {}.", durationText(time->seconds));
+}
+
+} // namespace
+
+std::string resultsJson(const std::vector<StudySection>& sections) {
+  if (sections.size() == 1)
+    return jsonOf(sections.front()).dump(2) + "\n";
+  Json j;
+  j["schema"] = 1;
+  j["command"] = sections.front().facts.command;
+  j["scenes"] = Json::array();
+  for (const StudySection& section : sections)
+    j["scenes"].push_back(jsonOf(section));
   return j.dump(2) + "\n";
 }
 
@@ -143,6 +190,8 @@ std::vector<std::string> remarks(const StudyResult& result, const std::vector<Se
                        "are too large.");
   for (std::size_t i = 0; i < summaries.size(); ++i) {
     const SettingSummary& s = summaries[i];
+    if (const std::string missed = missedTarget(result, s); !missed.empty())
+      lines.push_back(missed);
     if (s.isBiased() && !(result.ablation && i > 0))
       lines.push_back(
           fmt::format("{}: its mean differs from the reference's by {:+.2f} % ± {:.2f} %: a bias, "

@@ -16,7 +16,9 @@ struct StudySetting {
   std::string name; ///< as it was asked for: "split=2, light=nee"
   EstimatorSettings estimator;
   PixelFilter filter;
-  EffectSet effects;        ///< that are compiled in
+  EffectSet effects; ///< that are compiled in
+  std::vector<std::string>
+      bias;                 ///< what it lacks by choice, e.g. "--max-bounces 2", where the reference has it
   std::uint32_t batch = 16; ///< frames per dispatch, 1 to kSamplesPerGroup
 };
 
@@ -33,6 +35,7 @@ struct StudyPlan {
   std::uint32_t firstSeed = 0;
   std::optional<double> seconds;       ///< of rendering, for a setting and a seed
   std::optional<std::uint64_t> frames; ///< likewise
+  std::optional<double> targetError;   ///< relative: a run ends when it is measured to be at most this
 };
 
 } // namespace vkpt

@@ -9,8 +9,9 @@ namespace vkpt {
 
 struct StudyPoint {
   std::uint64_t frames = 0;
-  double seconds = 0.0; ///< of rendering alone
-  SquaredError error;   ///< without the reference's noise, which is subtracted; may be below 0 by chance
+  double seconds = 0.0;   ///< of rendering alone
+  SquaredError error;     ///< without the reference's noise, which is subtracted; may be below 0 by chance
+  double predicted = 0.0; ///< relMSE that the run's own variances tell; 0: not known
 };
 
 /// One setting with one seed.
@@ -46,10 +47,12 @@ struct StudyResult {
   double referenceFrames = 0.0;  ///< 0 for a file
   double referenceSeconds = 0.0; ///< likewise
   double measuringSeconds = 0.0; ///< reading films back and comparing, not in the clock
+  double overheadSeconds = 0.0;  ///< all that is neither rendering nor compiling: measuring, taking turns
   double renderSeconds = 0.0;    ///< the clocks of all runs
   StudyStop stop = StudyStop::Limits;
-  double equalSeconds = 0.0;     ///< that every run reached
-  std::uint64_t equalFrames = 0; ///< the most that every run has a point at
+  std::optional<double> targetError; ///< see StudyPlan
+  double equalSeconds = 0.0;         ///< that every run reached
+  std::uint64_t equalFrames = 0;     ///< the most that every run has a point at
 };
 
 } // namespace vkpt

@@ -76,6 +76,19 @@ TEST(Stop, SaysWhatHalfTheErrorWouldCost) {
   EXPECT_EQ(unknown.out.find("half of it"), std::string::npos) << unknown.out;
 }
 
+TEST(Stop, SaysWhenATargetOutOfReachWouldBeReached) {
+  const WorkFolder folder;
+  const CommandResult missed =
+      vkpt({"--frames", "64", "--target-error", "0.0001", "--size", "32x32"}, {folder.path(), {}});
+  EXPECT_EQ(missed.exitCode, 0) << missed.err;
+  EXPECT_NE(missed.out.find("the target, 0.01 %, was not reached; that would take another "),
+            std::string::npos)
+      << missed.out;
+  EXPECT_NE(missed.out.find("an extrapolation over "), std::string::npos) << missed.out;
+  const CommandResult met = vkpt({"--target-error", "0.5", "--size", "32x32"}, {folder.path(), {}});
+  EXPECT_EQ(met.out.find("the target"), std::string::npos) << met.out;
+}
+
 void sleepSeconds(double seconds) { std::this_thread::sleep_for(std::chrono::duration<double>(seconds)); }
 
 /// The first line of --verbose comes when signals are already looked after.

@@ -47,31 +47,36 @@ TEST(PowerLaw, LeavesOutWhatHasNoLogarithm) {
   EXPECT_NEAR(fitPowerLaw(points)->exponent, -0.5, 1e-12);
 }
 
-TEST(CostOfHalf, IsThreeTimesTheWorkForIndependentSamples) {
-  const auto cost = costOfHalf(model(0.4, -0.5, {16, 32, 64}), 10.0);
+TEST(CostOfError, OfHalfIsThreeTimesTheWorkForIndependentSamples) {
+  const auto cost = costOfError(0.5, model(0.4, -0.5, {16, 32, 64}), 10.0);
   ASSERT_TRUE(cost);
   EXPECT_TRUE(cost->measured);
   EXPECT_NEAR(cost->more, 30.0, 1e-9);
 }
 
-TEST(CostOfHalf, FollowsTheMeasuredSlope) {
+TEST(CostOfError, FollowsTheMeasuredSlope) {
   // twice the work for half the error: as much again
-  EXPECT_NEAR(costOfHalf(model(0.4, -1.0, {16, 32, 64, 128}), 10.0)->more, 10.0, 1e-9);
-  EXPECT_NEAR(costOfHalf(model(0.4, -0.25, {16, 32, 64}), 10.0)->more, 150.0, 1e-9);
+  EXPECT_NEAR(costOfError(0.5, model(0.4, -1.0, {16, 32, 64, 128}), 10.0)->more, 10.0, 1e-9);
+  EXPECT_NEAR(costOfError(0.5, model(0.4, -0.25, {16, 32, 64}), 10.0)->more, 150.0, 1e-9);
 }
 
-TEST(CostOfHalf, TakesTheLawOfIndependentSamplesForWantOfLooks) {
-  const auto cost = costOfHalf(model(0.4, -1.0, {16, 32}), 10.0);
+TEST(CostOfError, TakesTheLawOfIndependentSamplesForWantOfLooks) {
+  const auto cost = costOfError(0.5, model(0.4, -1.0, {16, 32}), 10.0);
   ASSERT_TRUE(cost);
   EXPECT_FALSE(cost->measured);
   EXPECT_NEAR(cost->more, 30.0, 1e-9);
 }
 
-TEST(CostOfHalf, IsNotKnownWithoutAnErrorOrWhereItDoesNotFall) {
-  EXPECT_FALSE(costOfHalf({}, 10.0));
+TEST(CostOfError, GrowsWithTheSquareOfIndependentSamplesPrecision) {
+  EXPECT_NEAR(costOfError(0.1, model(0.4, -0.5, {16, 32, 64}), 10.0)->more, 990.0, 1e-6);
+  EXPECT_NEAR(costOfError(0.9, model(0.4, -1.0, {16, 32, 64}), 9.0)->more, 1.0, 1e-9);
+}
+
+TEST(CostOfError, IsNotKnownWithoutAnErrorOrWhereItDoesNotFall) {
+  EXPECT_FALSE(costOfError(0.5, {}, 10.0));
   const std::vector<ErrorAtWork> unknown{{1.0, INFINITY}};
-  EXPECT_FALSE(costOfHalf(unknown, 10.0));
-  EXPECT_FALSE(costOfHalf(model(0.4, 0.1, {16, 32, 64}), 10.0));
+  EXPECT_FALSE(costOfError(0.5, unknown, 10.0));
+  EXPECT_FALSE(costOfError(0.5, model(0.4, 0.1, {16, 32, 64}), 10.0));
 }
 
 } // namespace

@@ -2,6 +2,7 @@
 
 #include "study/study_analysis.h"
 #include "study/study_report.h"
+#include "study/study_tables.h"
 
 #include <gtest/gtest.h>
 
@@ -17,7 +18,7 @@ StudyRun lawfulRun(double factor, double perFrame, int looks, double exponent = 
     const auto frames = std::uint64_t{1} << static_cast<unsigned>(i);
     const auto n = static_cast<double>(frames);
     const double error = factor * std::pow(n, exponent);
-    run.points.push_back({frames, n * perFrame, {error, error}});
+    run.points.push_back({frames, n * perFrame, {error, error}, frames > 1 ? error : 0.0});
   }
   run.mean = Vec3d(1.0);
   return run;
@@ -55,8 +56,10 @@ TEST(Estimate, HasTheStandardErrorOfAMean) {
 
 TEST(RelMse, IsInterpolatedBetweenLogarithms) {
   const StudyRun run = lawfulRun(0.8, 0.5, 6); // 0.8 * 0.5 / t
-  for (const double t : {0.5, 0.7, 3.0, 16.0, 40.0, 0.1})
+  for (const double t : {0.5, 0.7, 3.0, 16.0})
     EXPECT_NEAR(*relMseAt(run, t), 0.4 / t, 1e-12) << t;
+  for (const double t : {0.1, 40.0})
+    EXPECT_FALSE(relMseAt(run, t)) << t;
 }
 
 TEST(TimeTo, IsReadOffOrExtrapolated) {
@@ -69,6 +72,18 @@ TEST(TimeTo, IsReadOffOrExtrapolated) {
   ASSERT_TRUE(beyond);
   EXPECT_TRUE(beyond->extrapolated);
   EXPECT_NEAR(beyond->seconds, 0.4 / 0.0025, 1e-9);
+}
+
+TEST(TimeTo, IsFollowedNoFartherThanALineIsTrusted) {
+  const StudyRun run = lawfulRun(0.8, 0.5, 6); // relMSE 0.4 / t up to 16 s
+  const auto near = timeTo(run, std::sqrt(0.4 / 1599.0));
+  ASSERT_TRUE(near);
+  EXPECT_FALSE(near->beyond);
+  EXPECT_NEAR(near->seconds, 1599.0, 1e-6);
+  const auto far = timeTo(run, 1e-4);
+  ASSERT_TRUE(far);
+  EXPECT_TRUE(far->beyond && far->extrapolated);
+  EXPECT_NEAR(far->seconds, 1600.0, 1e-9);
 }
 
 TEST(TimeTo, IsNeverWhereTheErrorDoesNotFall) {
@@ -127,6 +142,48 @@ TEST(Summary, TellsABiasFromChance) {
   EXPECT_FALSE(summarise(result)[0].isBiased());
 }
 
+/// 0.8 / frames of variance, and a bias of relMSE 0.01 that stays.
+StudyRun biasedRun() {
+  StudyRun run = lawfulRun(0.8, 0.5, 6);
+  for (StudyPoint& p : run.points)
+    p.error.relMse += 0.01;
+  run.mean = Vec3d(0.9);
+  run.standardError = Vec3d(0.01);
+  return run;
+}
+
+TEST(Summary, PartsABiasFromTheErrorThatTimeRemoves) {
+  StudyResult result = resultOf({{"a", {lawfulRun(0.8, 0.5, 6)}}, {"b", {biasedRun(), biasedRun()}}});
+  result.settings[1].setting.bias = {"--max-bounces 2"};
+  const auto s = summarise(result);
+  EXPECT_NEAR(s[0].lastingRelMse->value, 0.0, 1e-12);
+  EXPECT_NEAR(*s[0].measuredOverPredicted, 1.0, 1e-12);
+  EXPECT_NEAR(s[1].lastingRelMse->value, 0.01, 1e-12);
+  EXPECT_NEAR(*s[1].measuredOverPredicted, std::sqrt((0.025 + 0.01) / 0.025), 1e-12);
+  EXPECT_TRUE(s[0].times[0]->extrapolated);
+  EXPECT_FALSE(s[1].times[0]); // no line leads below a bias
+  const std::string table = biasTable(result, s);
+  EXPECT_NE(table.find("--max-bounces 2"), std::string::npos) << table;
+  EXPECT_NE(table.find("-10.00 %"), std::string::npos) << table;
+  EXPECT_NE(table.find("<td>10 %</td>"), std::string::npos) << table; // sqrt(0.01)
+  EXPECT_EQ(table.find("<td>a</td>"), std::string::npos) << table;
+  EXPECT_EQ(biasTable(resultOf({{"a", {lawfulRun(0.8, 0.5, 6)}}}), {s[0]}), "");
+}
+
+TEST(Remarks, TellWhenATargetWouldBeReached) {
+  StudyResult result = resultOf({{"near", {lawfulRun(0.8, 0.5, 6)}},
+                                 {"far", {lawfulRun(800.0, 0.5, 6)}},
+                                 {"never", {biasedRun(), biasedRun()}},
+                                 {"met", {lawfulRun(0.0008, 0.5, 6)}}});
+  result.targetError = 0.07; // of "near" after 0.4 / 0.0049 s
+  const auto lines = remarks(result, summarise(result));
+  ASSERT_EQ(lines.size(), 4U); // and the bias
+  EXPECT_EQ(lines[0], "near: the target, 7 %, was not reached; by its slope it would be after about 82 s.");
+  EXPECT_EQ(lines[1], "far: the target, 7 %, was not reached; it would take more than 27 min.");
+  EXPECT_EQ(lines[2], "never: the target, 7 %, was not reached, and may never be: a bias remains.");
+  EXPECT_EQ(errorLevels(result).size(), 4U);
+}
+
 TEST(Ablation, IsAgainstTheWhole) {
   SettingSummary whole, rest;
   whole.secondsPerFrame = 0.4;
@@ -139,9 +196,9 @@ TEST(Ablation, IsAgainstTheWhole) {
 
 TEST(Csv, HasALineForEveryPoint) {
   const std::string csv = resultsCsv(resultOf({{"split=1, \"a\"", {lawfulRun(0.5, 0.25, 2)}}}));
-  EXPECT_EQ(csv, "setting,seed,frames,seconds,mse,relMse\n"
-                 "\"split=1, \"\"a\"\"\",0,1,0.25,0.5,0.5\n"
-                 "\"split=1, \"\"a\"\"\",0,2,0.5,0.25,0.25\n");
+  EXPECT_EQ(csv, "setting,seed,frames,seconds,mse,relMse,predictedRelMse\n"
+                 "\"split=1, \"\"a\"\"\",0,1,0.25,0.5,0.5,0\n"
+                 "\"split=1, \"\"a\"\"\",0,2,0.5,0.25,0.25,0.25\n");
 }
 
 } // namespace

@@ -55,6 +55,17 @@ TEST(Reference, MeasuresTheErrorPlusItsOwnNoise) {
   }
 }
 
+TEST(Reference, PredictsTheErrorFromTheFilmsOwnVariances) {
+  const Reference reference(noisyFilm(40, 2));
+  const Film film = noisyFilm(20, 5);
+  const double error = kDeviation * kDeviation / 20.0;
+  // the mean of 3 * 64 * 64 sample variances of 20 each, channels alike
+  EXPECT_NEAR(reference.predict(film).mse, error, 5.0 * error * std::sqrt(2.0 / 19.0) / kSide);
+  EXPECT_NEAR(reference.measure(film).mse - reference.noise().mse, reference.predict(film).mse,
+              tolerance(error + 2.0 * reference.noise().mse));
+  EXPECT_EQ(reference.predict(noisyFilm(1, 6)).mse, 0.0);
+}
+
 TEST(Reference, FromAFileTellsWhatTheFileTells) {
   const Film film = noisyFilm(20, 4);
   const Reference rendered(film);
