@@ -16,6 +16,7 @@ build gnuplot-nox                                       # the plots of vkpt stud
 build libboost-dev                                      # Boost.Math: distributions (headers only)
 test  libgtest-dev vulkan-validationlayers              # test framework; every device test is validated
 test  clang-format                                      # the formatting test
+test  chromium                                          # opens the reports
 bench libbenchmark-dev libembree-dev                    # timing, and the yardstick
 '
 

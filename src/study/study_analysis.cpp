@@ -4,9 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace vkpt {
 namespace {
+
+constexpr double kSettledFrames = 8.0; // the first frames are small dispatches, which take longer a sample
+constexpr std::size_t kLeastSettled = 3;
 
 bool hasError(const StudyPoint& p) { return p.error.relMse > 0.0; }
 
@@ -18,6 +22,16 @@ std::vector<ErrorAtWork> curveOf(const StudyRun& run, bool byTime) {
       points.push_back({byTime ? p.seconds : static_cast<double>(p.frames), p.error.relMse});
   }
   return points;
+}
+
+/// Of these, what a line is fitted to.
+std::vector<ErrorAtWork> settledCurveOf(const StudyRun& run, bool byTime) {
+  std::vector<ErrorAtWork> points;
+  for (const StudyPoint& p : run.points) {
+    if (hasError(p) && static_cast<double>(p.frames) >= kSettledFrames)
+      points.push_back({byTime ? p.seconds : static_cast<double>(p.frames), p.error.relMse});
+  }
+  return points.size() >= kLeastSettled ? points : curveOf(run, byTime);
 }
 
 /// Along the line between two points in logarithms: the value that belongs to x.
@@ -40,7 +54,7 @@ std::vector<double> overRuns(const SettingResult& setting, Function&& of) {
 
 std::optional<Estimate> slope(const SettingResult& setting, bool byTime) {
   return estimateOf(overRuns(setting, [&](const StudyRun& run) -> std::optional<double> {
-    const auto law = fitPowerLaw(curveOf(run, byTime));
+    const auto law = fitPowerLaw(settledCurveOf(run, byTime));
     return law ? std::optional(law->exponent) : std::nullopt;
   }));
 }
@@ -215,7 +229,7 @@ std::optional<TimeToError> timeTo(const StudyRun& run, double error) {
         interpolate(points[i - 1].error, points[i - 1].work, points[i].error, points[i].work, target), false,
         false};
   }
-  const auto law = fitPowerLaw(points);
+  const auto law = fitPowerLaw(settledCurveOf(run, true));
   if (!law || !(law->exponent < 0.0))
     return std::nullopt;
   const ErrorAtWork& end = points.back(); // on from here, as steep as the line
@@ -223,6 +237,13 @@ std::optional<TimeToError> timeTo(const StudyRun& run, double error) {
   if (times > kFarthestExtrapolation)
     return TimeToError{end.work * kFarthestExtrapolation, true, true};
   return TimeToError{end.work * times, true, false};
+}
+
+std::vector<CurvePoint> settledPart(const std::vector<CurvePoint>& curve) {
+  std::vector<CurvePoint> settled;
+  std::ranges::copy_if(curve, std::back_inserter(settled),
+                       [](const CurvePoint& p) { return p.frames >= kSettledFrames; });
+  return settled.size() >= kLeastSettled ? settled : curve;
 }
 
 std::vector<double> errorLevels(const StudyResult& result) {

@@ -50,6 +50,10 @@ struct CurvePoint {
   Spread error; ///< relative
 };
 
+/// What a line is fitted to: the points from 8 frames on, where there are three or more of them. Before, time
+/// a sample is not what it will be.
+std::vector<CurvePoint> settledPart(const std::vector<CurvePoint>& curve);
+
 struct SettingSummary {
   std::string name;
   std::vector<CurvePoint> curve;

@@ -82,7 +82,7 @@ std::string plotCommand(const std::vector<SettingSummary>& summaries, bool byTim
     text += fmt::format("$s{} using {}:3:4:5 with yerrorbars pt 7 ps 0.6 lw 1.5 lc rgb '{}' title {}", i,
                         byTime ? 1 : 2, colour, quoted(slopeText(s, byTime)));
     std::vector<ErrorAtWork> points;
-    for (const CurvePoint& p : s.curve)
+    for (const CurvePoint& p : settledPart(s.curve))
       points.push_back({workOf(p, byTime), p.error.median * 100.0});
     if (const auto law = fitPowerLaw(points))
       text += fmt::format(", \\\n  [{}:{}] {}*x**({}) with lines lw 1.2 lc rgb '{}' notitle",

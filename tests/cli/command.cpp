@@ -125,7 +125,7 @@ std::vector<std::string> CommandResult::otherLines() const {
 }
 
 RunningCommand::RunningCommand(std::vector<std::string> arguments, const CommandSettings& settings) {
-  arguments.insert(arguments.begin(), VKPT_COMMAND);
+  arguments.insert(arguments.begin(), settings.program.empty() ? VKPT_COMMAND : settings.program);
   if (settings.validation)
     arguments.emplace_back("--validation");
   std::vector<std::string> environment = environmentWith(settings.environment);

@@ -52,6 +52,7 @@ struct CommandSettings {
   fs::path folder;                                ///< to run in
   std::map<std::string, std::string> environment; ///< besides this process's
   bool validation = true;                         ///< adds --validation
+  std::string program{};                          ///< full path; empty: vkpt
 };
 
 /// `vkpt` under way. Killed when it outlives this object.

@@ -49,7 +49,7 @@ while IFS= read -r line; do
     [[ -x $source_dir/cmake/test.sh ]] || { echo "there is no $line"; exit 1; }
     continue
     ;;
-  cmake/run.sh | build/vkpt) [[ $line == *--size* ]] || words+=(--size "$size") ;;
+  cmake/run.sh | build/vkpt) [[ $line == *--size* || ${words[1]-} == assignment ]] || words+=(--size "$size") ;;
   esac
   echo "\$ ${words[*]}"
   "${words[@]}" || { echo "README.md: failed: $line"; exit 1; }

@@ -1,6 +1,6 @@
 // vkpt study at a size of seconds: the report, its figures, and what is refused.
 
-#include "cli/command.h"
+#include "cli/browser.h"
 
 #include <gtest/gtest.h>
 
@@ -67,6 +67,67 @@ TEST(Study, ComparesSettingsInAReportThatStandsAlone) {
   EXPECT_TRUE(contains(r.out, "out/report.html")) << r.out;
 }
 
+TEST(Study, ItsReportOpensInABrowser) {
+  if (chromium().empty())
+    GTEST_SKIP() << "no chromium here";
+  const WorkFolder folder;
+  const CommandResult r = study(folder, {"cornell", "cornell-spheres", "--size", "24x24", "--frames", "16",
+                                         "--seeds", "2", "--vary", "light=nee,bsdf", "-o", "out"});
+  ASSERT_EQ(r.exitCode, 0) << r.err;
+  const OpenedPage page = openPage(folder / "out/report.html");
+  EXPECT_TRUE(page.console.empty()) << page.console.front();
+  // of each scene two plots, three pictures, two differences, and the two under the slider
+  ASSERT_EQ(page.facts["images"].size(), 2U * 9U) << page.facts;
+  std::size_t plots = 0;
+  for (const json& image : page.facts["images"]) {
+    EXPECT_GT(image["width"], 0) << image;
+    EXPECT_GT(image["colours"], 3) << image; // a plot without curves has black, white and grey
+    plots += image["alt"] == "error-time" || image["alt"] == "error-frames" ? 1U : 0U;
+  }
+  EXPECT_EQ(plots, 4U);
+  ASSERT_EQ(page.facts["sliders"].size(), 2U);
+  for (const json& slider : page.facts["sliders"]) {
+    EXPECT_EQ(slider["clip"], "inset(0px 75% 0px 0px)");
+    EXPECT_EQ(slider["names"].size(), 3U);
+    EXPECT_TRUE(slider["left"].get<bool>() && slider["right"].get<bool>()) << slider;
+  }
+}
+
+TEST(Study, SeveralScenesEachHaveTheirOwnReference) {
+  const WorkFolder folder;
+  folder.write("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  folder.write("b.obj", "v 0 0 1\nv 1 0 1\nv 0 1 1\nf 1 2 3\n");
+  const CommandResult r = study(folder, {"a.obj", "cornell", "b.obj", "--background", "1,1,1", "--size",
+                                         "8x8", "--frames", "4", "--seeds", "1", "-o", "out"});
+  ASSERT_EQ(r.exitCode, 0) << r.err;
+  const json scenes = folder.json("out/results.json")["scenes"];
+  ASSERT_EQ(scenes.size(), 2U); // .obj files are one scene
+  EXPECT_EQ(scenes[0]["scene"], "a+b");
+  EXPECT_NE(scenes[0]["reference"]["mean"], scenes[1]["reference"]["mean"]);
+  EXPECT_TRUE(fs::exists(folder / "out/1-a-b/results.csv"));
+  EXPECT_TRUE(fs::exists(folder / "out/2-CornellBox-CornellBlocks/results.csv"));
+}
+
+TEST(Study, ATargetEndsARunOrSaysWhenItWould) {
+  const WorkFolder folder;
+  const std::vector<std::string> common{"cornell", "--size", "16x16", "--frames", "512", "--seeds", "1"};
+  const auto with = [&](std::vector<std::string> more) {
+    more.insert(more.begin(), common.begin(), common.end());
+    return study(folder, more);
+  };
+  const CommandResult met = with({"--target-error", "0.6", "-o", "met"});
+  ASSERT_EQ(met.exitCode, 0) << met.err;
+  const json points = folder.json("met/results.json")["settings"][0]["runs"][0]["points"];
+  EXPECT_LT(points.back()["frames"], 512);
+  EXPECT_LE(points.back()["relMse"], 0.36);
+  EXPECT_GT(points[points.size() - 2]["relMse"], 0.36);
+  EXPECT_FALSE(contains(met.out, "was not reached")) << met.out;
+  const CommandResult missed = with({"--target-error", "0.0001", "-o", "missed"});
+  ASSERT_EQ(missed.exitCode, 0) << missed.err;
+  EXPECT_TRUE(contains(missed.out, "the target, 0.01 %, was not reached; it would take more than "))
+      << missed.out;
+}
+
 TEST(Study, TellsABiasAndTakesValuesWithAnEqualsSign) {
   const WorkFolder folder;
   const CommandResult r = study(folder, {"cornell", "--size", "24x24", "--frames", "32", "--seeds", "2",
@@ -78,6 +139,9 @@ TEST(Study, TellsABiasAndTakesValuesWithAnEqualsSign) {
   EXPECT_TRUE(results["settings"][1]["biased"]); // paths of three edges are not all of the light
   EXPECT_LT(results["settings"][1]["energy"]["value"].get<double>(), -0.05);
   EXPECT_TRUE(contains(r.out, "a bias")) << r.out;
+  EXPECT_EQ(results["settings"][1]["bias"], json::array({"--roulette constant=1 (--max-bounces 2)"}));
+  EXPECT_GT(results["settings"][1]["lastingRelMse"]["value"].get<double>(), 0.0);
+  EXPECT_TRUE(contains(folder.read("out/report.html"), "The cost of bias"));
 }
 
 TEST(Study, EveryCombinationOfOneKindOfPath) {
@@ -204,7 +268,10 @@ INSTANTIATE_TEST_SUITE_P(
         Wrong{"UnknownOption", {"--varry", "split=0,1"}, ExitCode::Usage, {"--varry"}},
         Wrong{"UnknownKind", {"--class", "caustics"}, ExitCode::Usage, {"--class 'caustics'", "caustic"}},
         Wrong{"AblateAndVary", {"--ablate", "--vary", "split=0,1"}, ExitCode::Usage, {"--ablate", "--vary"}},
-        Wrong{"TargetError", {"--target-error", "0.1"}, ExitCode::Usage, {"--target-error"}},
+        Wrong{"OneReferenceForTwoScenes",
+              {"cornell", "cornell-spheres", "--reference", "small.pfm"},
+              ExitCode::Usage,
+              {"--reference", "2"}},
         Wrong{"Stats", {"--stats", "s.json"}, ExitCode::Usage, {"--stats"}},
         Wrong{"NoSeeds", {"--seeds", "0"}, ExitCode::Usage, {"--seeds '0'"}},
         Wrong{"OutputIsAFile", {"-o", "file"}, ExitCode::Usage, {"file", "folder"}},

@@ -110,6 +110,19 @@ TEST(Summary, FindsSlopesEfficiencyAndEqualFrames) {
   EXPECT_NEAR(s[1].times[0]->seconds, 0.8 / 0.0025, 1e-6);
 }
 
+TEST(Summary, FitsWhatHasSettled) {
+  StudyRun run = lawfulRun(0.8, 0.5, 8);
+  for (StudyPoint& p : run.points) {
+    if (p.frames < 8)
+      p.seconds *= 3.0; // small dispatches
+  }
+  const auto s = summarise(resultOf({{"a", {run}}}));
+  EXPECT_NEAR(s[0].slopeOverTime->value, -1.0, 1e-9);
+  EXPECT_EQ(settledPart(s[0].curve).size(), 5U);
+  run.points.resize(5); // too few of them beyond 8 frames
+  EXPECT_LT(summarise(resultOf({{"a", {run}}}))[0].slopeOverTime->value, -1.01);
+}
+
 TEST(Summary, TakesMediansOverTheSeeds) {
   const auto s =
       summarise(resultOf({{"a", {lawfulRun(0.8, 0.5, 6), lawfulRun(8.0, 0.5, 6), lawfulRun(0.4, 0.5, 6)}}}));
