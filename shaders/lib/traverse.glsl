@@ -18,7 +18,9 @@ struct SlabRay {
 };
 
 // A component of 0 gives a huge inverse, never infinity: 0 * infinity would be NaN for an origin in the plane.
-Float safeInverse(Float x) { return 1.0 / (abs(x) < 1e-30 ? (x < 0.0 ? -1e-30 : 1e-30) : x); }
+Float safeInverse(Float x) {
+  return 1.0 / (MUTATE(InfiniteInverse, abs(x) < 1e-30, false) ? (x < 0.0 ? -1e-30 : 1e-30) : x);
+}
 
 SlabRay makeSlabRay(Vec3 d) {
   SlabRay s;
@@ -40,7 +42,8 @@ UVec4 intersectChildren(uint node, SlabRay slab, Vec3 o, Float tMax) {
   Vec4 farY = (nodeBounds(node, slab.nearY ^ 1u) - o.y) * slab.inverse.y;
   Vec4 farZ = (nodeBounds(node, slab.nearZ ^ 1u) - o.z) * slab.inverse.z;
   Vec4 near = slabMax(slabMax(nearX, nearY), slabMax(nearZ, Vec4(0.0)));
-  Vec4 far = slabMin(slabMin(farX, farY), slabMin(farZ, Vec4(tMax))) * (1.0 + 4.0 * kEpsilon);
+  Float stretch = MUTATE(SlabsNotStretched, 1.0 + 4.0 * kEpsilon, 1.0);
+  Vec4 far = slabMin(slabMin(farX, farY), slabMin(farZ, Vec4(tMax))) * stretch;
   UVec4 keys;
   keys.x = near.x <= far.x ? (orderKey(near.x) & ~3u) : kMiss;
   keys.y = near.y <= far.y ? ((orderKey(near.y) & ~3u) | 1u) : kMiss;
@@ -125,7 +128,8 @@ Hit traceClosest(Ray ray) {
         Float b2;
         TriangleRecord tri = triangleRecord(index);
         bool found = intersectTriangle(ray, basis, tri.v0, tri.v1, tri.v2, t, b1, b2);
-        if (found && index != ray.exclude && (t < hit.t || (t == hit.t && tri.id < hit.id))) {
+        bool wins = MUTATE(TiesAtRandom, tri.id < hit.id, tri.id > hit.id);
+        if (found && index != ray.exclude && (t < hit.t || (t == hit.t && wins))) {
           hit.t = t;
           hit.b1 = b1;
           hit.b2 = b2;

@@ -73,11 +73,22 @@
   X(63, SlopeNotSolved, "Beckmann's visible slopes are the first guess")                                     \
   X(64, CoatFresnelDropped, "the coat of Nori's microfacet reflects all light")
 
+// Naive geometry, which tests/stability notices; lib/naive.glsl has the longer ones.
+#define VKPT_GEOMETRY_MUTATIONS_LIST(X)                                                                      \
+  X(80, NaiveGeometry, "the next two at once: what stability costs is measured against them")                \
+  X(81, LeakyTriangle, "Moeller and Trumbore's triangle test, with their epsilon")                           \
+  X(82, AbsoluteOffset, "rays start 1e-4 off the surface, whatever the scene's size")                        \
+  X(83, FrisvadFrame, "frames divide by 1 + n.z")                                                            \
+  X(84, InfiniteInverse, "a component of 0 has an infinite inverse in the slab test")                        \
+  X(85, SlabsNotStretched, "boxes are as thin as rounding makes them")                                       \
+  X(86, TiesAtRandom, "of two triangles at one distance the later one is hit")
+
 #ifdef VKPT_MUTATIONS
 layout(constant_id = 127) const uint kMutation = 0u;
 #define VKPT_MUTATION_ID(id, Name, what) const uint kMutation##Name = id;
 VKPT_MUTATIONS_LIST(VKPT_MUTATION_ID)
 VKPT_SAMPLING_MUTATIONS_LIST(VKPT_MUTATION_ID)
+VKPT_GEOMETRY_MUTATIONS_LIST(VKPT_MUTATION_ID)
 #undef VKPT_MUTATION_ID
 #define MUTATE(Name, right, wrong) (kMutation == kMutation##Name ? (wrong) : (right))
 #else
