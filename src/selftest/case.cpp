@@ -11,7 +11,7 @@ namespace vkpt::selftest {
 
 std::vector<Case> allCases() {
   std::vector<Case> cases;
-  for (const auto& group : {smoothCases()})
+  for (const auto& group : {watertightCases(), shapeCases(), rayCases(), smoothCases(), imageCases()})
     cases.insert(cases.end(), group.begin(), group.end());
   return cases;
 }

@@ -19,7 +19,11 @@ struct Case {
 };
 
 // One list a group; a file holds a group or a part of one.
-std::span<const Case> smoothCases(); ///< d: mirror, metal and glass
+std::span<const Case> watertightCases(); ///< w: rays between triangles
+std::span<const Case> shapeCases();      ///< w: boxes, trees, sizes
+std::span<const Case> rayCases();        ///< o: where rays start and end, normals
+std::span<const Case> smoothCases();     ///< d: mirror, metal and glass
+std::span<const Case> imageCases();      ///< i: images and cameras
 
 /// All of them, in the order of the groups.
 std::vector<Case> allCases();
