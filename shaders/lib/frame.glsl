@@ -13,7 +13,7 @@ struct Frame {
 // Duff et al. 2017, "Building an Orthonormal Basis, Revisited", JCGT 6(1); branched at n.z = -1/2 instead of 0,
 // since n.z is exactly 0 on common walls.
 Frame makeFrame(Vec3 n) {
-  Float s = n.z >= -0.5 ? 1.0 : -1.0;
+  Float s = MUTATE(FrisvadFrame, n.z >= -0.5, true) ? 1.0 : -1.0;
   Float a = -1.0 / (s + n.z);
   Float b = n.x * n.y * a;
   Frame f;

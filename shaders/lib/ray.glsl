@@ -17,6 +17,10 @@ struct Hit {
   uint id;       // in input order: ties go to the lower one, whatever the BVH
 };
 
+#ifdef VKPT_MUTATIONS
+#include "naive.glsl"
+#endif
+
 // How far rounding may have moved a point interpolated on a triangle, and a triangle's plane as a later ray sees
 // it, along each axis: a few ulp of the corners' largest coordinate (Pharr, Jakob, Humphreys, PBRT 4th ed., 6.8.5:
 // 7 ulp for the interpolation; the rest covers the translation and projection of the next intersection, which mixes
@@ -28,6 +32,9 @@ Vec3 positionError(Vec3 v0, Vec3 v1, Vec3 v2) {
 // Moves p off its surface to the side that w points to, far enough that no rounding puts it on the other side.
 // ng: unit geometric normal; error: from positionError().
 Vec3 offsetRayOrigin(Vec3 p, Vec3 error, Vec3 ng, Vec3 w) {
+#ifdef VKPT_MUTATIONS
+  if (isNaive(kMutationAbsoluteOffset)) return offsetNaively(p, ng, w);
+#endif
   Float distance = MUTATE(OffsetDropped, dot(abs(ng), error), 0.0);
   return p + ng * (MUTATE(OffsetInward, dot(ng, w) < 0.0, dot(ng, w) >= 0.0) ? -distance : distance);
 }

@@ -9,11 +9,20 @@ struct Surface {
   Material m;
 };
 
+// Where a triangle is hit, but not so close to an edge that rounding may put the point behind the neighbour there: from
+// there a ray would leave the scene.
+Vec3 pointWithin(TriangleRecord tri, Hit hit) {
+  Float inward = MUTATE(HitsUpToTheEdge, 32.0 * kEpsilon, 0.0);
+  Float b1 = hit.b1 + (1.0 / 3.0 - hit.b1) * inward;
+  Float b2 = hit.b2 + (1.0 / 3.0 - hit.b2) * inward;
+  return tri.v0 * (1.0 - b1 - b2) + tri.v1 * b1 + tri.v2 * b2;
+}
+
 Surface surfaceAt(Hit hit, Vec3 wo) {
   Surface s;
   TriangleRecord tri = triangleRecord(hit.triangle);
   Float b0 = 1.0 - hit.b1 - hit.b2;
-  s.p = tri.v0 * b0 + tri.v1 * hit.b1 + tri.v2 * hit.b2;
+  s.p = pointWithin(tri, hit);
   s.error = positionError(tri.v0, tri.v1, tri.v2);
   s.ng = normalize(cross(tri.v1 - tri.v0, tri.v2 - tri.v0));
   s.front = dot(s.ng, wo) > 0.0;

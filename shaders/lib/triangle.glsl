@@ -39,6 +39,9 @@ Float edgeFunction(Vec3 a, Vec3 b) {
 // Hits with 0 < t < tMax. Returns whether there is one; then t, b1, b2 are set.
 bool intersectTriangle(Ray ray, RayBasis basis, Vec3 v0, Vec3 v1, Vec3 v2, OUT(Float) t, OUT(Float) b1,
                        OUT(Float) b2) {
+#ifdef VKPT_MUTATIONS
+  if (isNaive(kMutationLeakyTriangle)) return intersectNaively(ray, v0, v1, v2, t, b1, b2);
+#endif
   Vec3 p0 = projectCorner(ray, basis, v0);
   Vec3 p1 = projectCorner(ray, basis, v1);
   Vec3 p2 = projectCorner(ray, basis, v2);

@@ -93,12 +93,25 @@
   X(87, RefractionCancels, "the cosine beyond a boundary from 1 - sin^2")                                    \
   X(88, PhongLogCancels, "the logarithm of a number close to 1 as the driver has it")
 
+// Naive geometry, which tests/stability notices; lib/naive.glsl has the longer ones.
+#define VKPT_GEOMETRY_MUTATIONS_LIST(X)                                                                      \
+  X(80, NaiveGeometry, "the next two at once: what stability costs is measured against them")                \
+  X(81, LeakyTriangle, "Moeller and Trumbore's triangle test, with their epsilon")                           \
+  X(82, AbsoluteOffset, "rays start 1e-4 off the surface, whatever the scene's size")                        \
+  X(83, FrisvadFrame, "frames divide by 1 + n.z")                                                            \
+  X(84, InfiniteInverse, "a component of 0 has an infinite inverse in the slab test")                        \
+  X(85, SlabsNotStretched, "boxes are as thin as rounding makes them")                                       \
+  X(86, TiesAtRandom, "of two triangles at one distance the later one is hit")                               \
+  X(89, BoxesMissedAside, "boxes are met where the direction leads, triangles where the basis does")         \
+  X(90, HitsUpToTheEdge, "points of triangles are so close to edges that rounding puts them beyond")
+
 #ifdef VKPT_MUTATIONS
 layout(constant_id = 127) const uint kMutation = 0u;
 #define VKPT_MUTATION_ID(id, Name, what) const uint kMutation##Name = id;
 VKPT_MUTATIONS_LIST(VKPT_MUTATION_ID)
 VKPT_SAMPLING_MUTATIONS_LIST(VKPT_MUTATION_ID)
 VKPT_STABILITY_MUTATIONS_LIST(VKPT_MUTATION_ID)
+VKPT_GEOMETRY_MUTATIONS_LIST(VKPT_MUTATION_ID)
 #undef VKPT_MUTATION_ID
 #define MUTATE(Name, right, wrong) (kMutation == kMutation##Name ? (wrong) : (right))
 #else

@@ -99,6 +99,7 @@ nlohmann::ordered_json statsOf(const RunReport& r) {
   j["notes"] = r.sceneReport.notes;
   j["warnings"] = r.sceneReport.warnings;
   j["droppedDegenerate"] = r.sceneReport.droppedDegenerate;
+  j["droppedDuplicates"] = r.sceneReport.droppedDuplicates;
   j["dispatches"] = r.counters.dispatches;
   j["cappedPaths"] = r.counters.cappedPaths;
   j["carriedPaths"] = r.counters.carriedPaths;

@@ -122,7 +122,7 @@ Scene SceneAssembler::finish() {
   note("OBJ conventions: both sides scatter, smooth normals where a file has none, radiance not scaled at "
        "refraction");
   m_scene.camera = fitCamera(recentre(m_scene, m_world));
-  dropDegenerate(m_scene, m_parts, m_report);
+  dropUseless(m_scene, m_parts, m_report);
   return std::move(m_scene);
 }
 

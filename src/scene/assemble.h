@@ -20,7 +20,7 @@ public:
 
   /// Reads, places and triangulates one text.
   void add(const SceneText& source);
-  /// Recentres, drops what has no area, fits the camera.
+  /// Recentres, drops what has no area or is there twice, fits the camera.
   Scene finish();
 
 private:

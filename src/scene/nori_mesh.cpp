@@ -118,7 +118,7 @@ void NoriGeometry::append(const NoriMeshFiles::File& file, const glm::dmat4& toW
 
 void NoriGeometry::finish(Scene& scene) const {
   recentre(scene, m_world);
-  dropDegenerate(scene, m_parts, m_report);
+  dropUseless(scene, m_parts, m_report);
 }
 
 } // namespace vkpt

@@ -1,6 +1,6 @@
 #pragma once
 // The last steps of loading geometry, whatever its format: float coordinates about the scene's own centre,
-// and no triangle without area among them.
+// and no triangle among them that has no area or an exact twin.
 
 #include "core/math.h"
 #include "scene/scene.h"
@@ -23,8 +23,9 @@ struct MeshPart {
 /// of `world`.
 Box3d recentre(Scene& scene, std::span<const Vec3d> world);
 
-/// Drops triangles without area, with a warning for each part that had some. Throws SceneError where none is
-/// left. `parts` hold all triangles of the scene.
-void dropDegenerate(Scene& scene, std::span<const MeshPart> parts, SceneReport& report);
+/// Drops triangles without area and those that lie exactly on an earlier one and show the same side, with a
+/// warning for each part that had some. Throws SceneError where none is left. `parts` hold all triangles of
+/// the scene.
+void dropUseless(Scene& scene, std::span<const MeshPart> parts, SceneReport& report);
 
 } // namespace vkpt

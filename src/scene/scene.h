@@ -162,6 +162,7 @@ struct SceneReport {
   std::vector<std::string> notes;    ///< "Cornell rule: x0.025, turned, camera fitted"
   std::vector<std::string> warnings; ///< each names file:line and what was done about it
   std::size_t droppedDegenerate = 0; ///< triangles of zero area
+  std::size_t droppedDuplicates = 0; ///< triangles exactly on earlier ones
   std::size_t inventedNormals = 0;   ///< vertices given a smooth normal
 };
 

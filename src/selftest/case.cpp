@@ -11,8 +11,8 @@ namespace vkpt::selftest {
 
 std::vector<Case> allCases() {
   std::vector<Case> cases;
-  for (const auto& group : {driverCases(), oracleCases(), formulaCases(), smoothCases(), phongCases(),
-                            pathCases(), sumCases(), randomCases()})
+  for (const auto& group : {driverCases(), watertightCases(), shapeCases(), rayCases(), oracleCases(), formulaCases(),
+                            smoothCases(), phongCases(), pathCases(), sumCases(), randomCases(), imageCases()})
     cases.insert(cases.end(), group.begin(), group.end());
   return cases;
 }

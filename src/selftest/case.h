@@ -18,9 +18,12 @@ struct Case {
   void (*run)(Trial&);
 };
 
-// A list a file. d: dielectrics, conductors, glossy surfaces; m: sums, roulette, random numbers; t: the
-// driver.
+// A list a file. w: geometry; o: where rays start and end, normals; d: dielectrics, conductors, glossy surfaces; m: sums,
+// roulette, random numbers; i: images and cameras; t: the driver.
 std::span<const Case> driverCases();
+std::span<const Case> watertightCases(); ///< rays between triangles
+std::span<const Case> shapeCases();      ///< boxes, trees, sizes
+std::span<const Case> rayCases();
 std::span<const Case> oracleCases(); ///< device in float against host in double
 std::span<const Case> formulaCases();
 std::span<const Case> smoothCases(); ///< mirror, metal and glass
@@ -28,6 +31,7 @@ std::span<const Case> phongCases();
 std::span<const Case> pathCases(); ///< furnaces, roulette, lights, colours
 std::span<const Case> sumCases();
 std::span<const Case> randomCases();
+std::span<const Case> imageCases();
 
 /// All of them, in the order of the groups.
 std::vector<Case> allCases();

@@ -18,7 +18,6 @@
 namespace vkpt::test {
 namespace {
 
-constexpr double kPatience = 120.0; // seconds; no command of the tests takes as long
 constexpr auto kPollInterval = std::chrono::milliseconds(5);
 
 double now() {
@@ -124,7 +123,8 @@ std::vector<std::string> CommandResult::otherLines() const {
   return lines;
 }
 
-RunningCommand::RunningCommand(std::vector<std::string> arguments, const CommandSettings& settings) {
+RunningCommand::RunningCommand(std::vector<std::string> arguments, const CommandSettings& settings)
+    : m_patience(settings.patience) {
   arguments.insert(arguments.begin(), settings.program.empty() ? VKPT_COMMAND : settings.program);
   if (settings.validation)
     arguments.emplace_back("--validation");
@@ -165,8 +165,8 @@ CommandResult RunningCommand::wait() {
   int status = 0;
   rusage usage{};
   while (::wait4(m_process, &status, WNOHANG, &usage) == 0) {
-    if (now() - m_started > kPatience) {
-      ADD_FAILURE() << "vkpt did not end within " << kPatience << " s";
+    if (now() - m_started > m_patience) {
+      ADD_FAILURE() << "vkpt did not end within " << m_patience << " s";
       signal(SIGKILL);
     }
     std::this_thread::sleep_for(kPollInterval);

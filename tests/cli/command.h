@@ -53,6 +53,7 @@ struct CommandSettings {
   std::map<std::string, std::string> environment; ///< besides this process's
   bool validation = true;                         ///< adds --validation
   std::string program{};                          ///< full path; empty: vkpt
+  double patience = 120.0;                        ///< seconds after which it is killed, and the test fails
 };
 
 /// `vkpt` under way. Killed when it outlives this object.
@@ -66,13 +67,14 @@ public:
   /// Waits until `text` stands in stderr; false when it has not within `seconds`.
   [[nodiscard]] bool waitForError(std::string_view text, double seconds) const;
   void signal(int number) const;
-  /// Waits for its end; kills it after two minutes.
+  /// Waits for its end; kills it when the patience is at its end.
   CommandResult wait();
 
 private:
   WorkFolder m_streams;
   pid_t m_process = -1;
   double m_started = 0.0;
+  double m_patience;
 };
 
 CommandResult vkpt(const std::vector<std::string>& arguments, const CommandSettings& settings);

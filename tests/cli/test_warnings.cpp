@@ -80,12 +80,8 @@ TEST(Warned, QuietSaysNothing) {
 
 /// More triangles in one place than a traversal may look at: no tree can part them.
 TEST(Warned, FaultsAreCountedAndTheImageIsWritten) {
-  constexpr int kCopies = 40000;
   const WorkFolder folder;
-  std::string pile = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
-  for (int i = 0; i < kCopies; ++i)
-    pile += "f 1 2 3\n";
-  folder.write("pile.obj", pile);
+  folder.write("pile.obj", concentric(40000));
   const CommandResult r = vkpt({"pile.obj", "--frames", "1", "--size", "8x8", "--background", kWhite,
                                 "--stats", "s.json", "-o", "x.exr"},
                                {folder.path(), {}});

@@ -25,6 +25,12 @@ enum class Mutation : std::uint32_t {
 #undef VKPT_ENUMERATOR
 };
 
+enum class GeometryMutation : std::uint32_t {
+#define VKPT_ENUMERATOR(id, Name, what) Name = id,
+  VKPT_GEOMETRY_MUTATIONS_LIST(VKPT_ENUMERATOR)
+#undef VKPT_ENUMERATOR
+};
+
 struct MutationInfo {
   Mutation mutation;
   const char* name;

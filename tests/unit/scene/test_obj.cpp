@@ -106,6 +106,41 @@ TEST(Obj, AreaIsJudgedByTheFloatsThatAreRendered) {
   EXPECT_EQ(report.droppedDegenerate, 1U);
 }
 
+TEST(Obj, ExactDuplicatesAreDroppedAndCounted) {
+  const std::string corners = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 -0.0 0\nv 1 1 0\n";
+  // Turned, and once over other vertices at the same places; the last shares two corners only.
+  const auto [scene, report] = loadText(corners + "f 1 2 3\nf 2 3 1\nf 3 1 4\nf 1 2 3\nf 1 2 5\n");
+  EXPECT_EQ(scene.triangles.size(), 2U);
+  EXPECT_EQ(report.droppedDuplicates, 3U);
+  ASSERT_EQ(report.warnings.size(), 1U);
+  EXPECT_EQ(report.warnings[0],
+            "scene.obj:7: 3 triangles dropped for being exactly on an earlier one, the first here");
+}
+
+TEST(Obj, OfTwinsOfDifferentMaterialTheFirstIsKept) {
+  const std::string corners = "mtllib scene.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\n";
+  const std::string mtl = "newmtl a\nillum 1\nKd .5 .5 .5\nnewmtl b\nillum 1\nKd .25 .5 .5\n";
+  const auto same = loadText(corners + "usemtl b\nf 1 2 3\nusemtl a\nf 2 3 1\n", mtl);
+  ASSERT_EQ(same.scene.triangles.size(), 1U);
+  EXPECT_EQ(same.scene.materials[same.scene.triangles[0].material].name, "b");
+  EXPECT_EQ(same.report.droppedDuplicates, 1U);
+  EXPECT_EQ(countContaining(
+                same.report.warnings,
+                "scene.obj:8: 1 triangle of another material dropped for being exactly on an earlier one"),
+            1U);
+  // The other side of it may be another material's, though it is never seen; of the same material it is no
+  // twin.
+  const auto back = loadText(corners + "usemtl b\nf 1 2 3\nusemtl a\nf 3 2 1\n", mtl);
+  EXPECT_EQ(back.scene.triangles.size(), 2U);
+  EXPECT_EQ(countContaining(back.report.warnings,
+                            "scene.obj:8: 1 triangle back to back with an earlier one of "
+                            "another material, which is what is seen"),
+            1U);
+  const auto leaf = loadText(corners + "usemtl b\nf 1 2 3\nf 3 2 1\n", mtl);
+  EXPECT_EQ(leaf.scene.triangles.size(), 2U);
+  EXPECT_TRUE(leaf.report.warnings.empty());
+}
+
 TEST(Obj, UnreferencedVerticesDoNotMoveTheCamera) {
   const auto plain = loadText(kSquare);
   const auto stray = loadText(std::string(kSquare) + "v 1000 1000 1000\n");

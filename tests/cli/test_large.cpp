@@ -1,0 +1,27 @@
+// What takes minutes: ten million triangles, and a million of each degenerate kind.
+
+#include "cli/degenerate_scenes.h"
+
+namespace vkpt::test {
+namespace {
+
+constexpr int kMillion = 1000000;
+
+TEST(Large, AMillionTrianglesAtOnePointAreDropped) { expectPointsAreDropped(kMillion); }
+TEST(Large, AMillionDuplicatesAreDropped) { expectTwinsAreDropped(kMillion); }
+TEST(Large, AMillionSliversAreSeen) { expectSliversAreSeen(kMillion); }
+TEST(Large, AMillionConcentricTrianglesAreGivenUpAndSaid) { expectPileIsGivenUp(kMillion); }
+
+TEST(Large, TenMillionTrianglesAreRendered) {
+  constexpr int kSquaresAnEdge = 2237; // two triangles each
+  const WorkFolder folder;
+  const CommandResult r = renderObj(folder, waves(kSquaresAnEdge));
+  EXPECT_EQ(r.exitCode, 0) << r.err;
+  EXPECT_GT(folder.json("s.json")["deviceBytes"], 10'000'000 * 48); // three texels each
+  EXPECT_GT(centreOf(folder), 0.4F);
+  tell("wall time", r.seconds, "s");
+  tell("resident memory at most", r.peakBytes / 1048576.0, "MiB");
+}
+
+} // namespace
+} // namespace vkpt::test
