@@ -54,8 +54,9 @@ DielectricBranches dielectricBranches(Material m, Vec3 wo, Vec3 n, Vec3 ng, bool
   return b;
 }
 
-BsdfSample sampleDielectric(DielectricBranches b, Float u) {
-  bool reflected = u < b.share;
+BsdfSample sampleDielectric(Surface s, Vec3 wo, Vec3 u) {
+  DielectricBranches b = dielectricBranches(s.m, wo, s.n, s.ng, s.front);
+  bool reflected = u.z < b.share;
   Vec3 weight = Vec3(MUTATE(RefractionScaled, 1.0, reflected ? 1.0 : 0.44));
   return specularSample(normalize(reflected ? b.reflection : b.refraction), weight);
 }

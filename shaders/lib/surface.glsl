@@ -1,14 +1,5 @@
 // What a ray meets.
 
-struct Surface {
-  Vec3 p;
-  Vec3 error;
-  Vec3 ng;     // geometric normal on the viewer's side
-  Vec3 n;      // shading normal on the viewer's side
-  bool front;  // seen from the side its normal points to
-  Material m;
-};
-
 // Where a triangle is hit, but not so close to an edge that rounding may put the point behind the neighbour there: from
 // there a ray would leave the scene.
 Vec3 pointWithin(TriangleRecord tri, Hit hit) {

@@ -38,6 +38,18 @@ Material plainMaterial() {
   return m;
 }
 
+// Seen from its front; the normal is +z.
+Surface flatSurface(Material m) {
+  Surface s;
+  s.p = vec3(0.0);
+  s.error = vec3(0.0);
+  s.ng = vec3(0.0, 0.0, 1.0);
+  s.n = s.ng;
+  s.front = true;
+  s.m = m;
+  return s;
+}
+
 Row dielectric(Row x) {
   float cosT;
   float f = fresnelDielectric(x.a.x, x.a.y, cosT);
@@ -46,11 +58,11 @@ Row dielectric(Row x) {
 
 Row conductor(Row x) { return Row(vec4(fresnelConductor(x.a.x, x.a.y, x.a.z), 0.0, 0.0, 0.0), vec4(0.0)); }
 
-// a: wo, exponent; b: wi. The normal is +z.
+// a: wo, exponent; b: wi.
 Row phongValue(Row x) {
   Material m = plainMaterial();
   m.roughness = x.a.w;
-  BsdfValue v = evaluatePhong(m, x.a.xyz, x.b.xyz, vec3(0.0, 0.0, 1.0));
+  BsdfValue v = evaluatePhong(flatSurface(m), x.a.xyz, x.b.xyz);
   return Row(vec4(v.f, v.pdf_w), vec4(0.0));
 }
 
@@ -58,8 +70,8 @@ Row phongValue(Row x) {
 Row phongSample(Row x) {
   Material m = plainMaterial();
   m.roughness = x.a.w;
-  vec3 wi = samplePhongDirection(m, x.a.xyz, vec3(0.0, 0.0, 1.0), x.b.xyz);
-  BsdfValue v = evaluatePhong(m, x.a.xyz, wi, vec3(0.0, 0.0, 1.0));
+  vec3 wi = samplePhong(flatSurface(m), x.a.xyz, x.b.xyz).wi;
+  BsdfValue v = evaluatePhong(flatSurface(m), x.a.xyz, wi);
   return Row(vec4(wi, v.pdf_w), vec4(v.f, 0.0));
 }
 
@@ -69,8 +81,8 @@ Row roughSample(Row x) {
   m.roughness = x.a.w;
   m.k = vec3(1e4);
   m.flags = x.b.z > 0.0 ? kMaterialBeckmann : 0u;
-  BsdfSample s = sampleRoughConductor(m, x.a.xyz, vec3(0.0, 0.0, 1.0), x.b.xy);
-  BsdfValue v = evaluateRoughConductor(m, x.a.xyz, s.wi, vec3(0.0, 0.0, 1.0));
+  BsdfSample s = sampleRoughConductor(flatSurface(m), x.a.xyz, vec3(x.b.xy, 0.0));
+  BsdfValue v = evaluateRoughConductor(flatSurface(m), x.a.xyz, s.wi);
   return Row(vec4(s.wi, s.pdf_w), vec4(s.weight.x, v.pdf_w, 0.0, 0.0));
 }
 

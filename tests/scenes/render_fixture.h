@@ -2,6 +2,7 @@
 // Rendering in tests: one validated context for the process, and what every render is checked for.
 
 #include "film/film.h"
+#include "scenes/made_scenes.h"
 #include "selftest/render_scene.h"
 
 #include <gtest/gtest.h>
