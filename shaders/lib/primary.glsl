@@ -1,4 +1,4 @@
-// Views of what a camera ray meets, in place of the estimator: Li() for a viewer.
+// Views of what a camera ray meets, in place of the estimator.
 
 // What a surface is seen as under white light from all around, as far as one event tells: the albedo, the reflectance
 // of a mirror, a metal's at normal incidence, white for glass; a lamp in its own colour.
@@ -11,9 +11,9 @@ Vec3 baseColour(Surface s) {
   return emitted > 0.0 && s.front ? s.m.emission / emitted : colour;
 }
 
-// The whole path at once: it never goes on.
-bool viewPrimary(INOUT(Path) path) {
-  Hit hit = traceClosest(path.ray);
+// In place of extendPath(): the path never goes on.
+bool extendPrimary(INOUT(Path) path, Hit hit, OUT(DirectLight) direct) {
+  direct = noDirectLight();
   if (hit.triangle != kNoTriangle) {
     Surface s = surfaceAt(hit, -path.ray.d);
     path.L = kPrimaryView == kPrimaryNormals ? (s.n + Vec3(1.0)) * 0.5 : baseColour(s);
