@@ -1,7 +1,7 @@
 #pragma once
 // The triangles of a PackedScene in Embree, in the same order.
 
-#include "device/device_scene.h"
+#include "device/packed_scene.h"
 #include "rays.h"
 
 #include <embree3/rtcore.h>
