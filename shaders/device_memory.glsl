@@ -170,22 +170,28 @@ Branch loadBranch(uint i) {
 // Plane p of a kind's image.
 uint kindPlane(uint p, uint pixel) { return p * frame.width * frame.height + pixel; }
 
-// Adds to the open group's sum; a buffer is chosen by constants, which every device can do.
-#define VKPT_RECORD_KIND(k)                                                                                  \
-  if (kind == k) {                                                                                           \
-    kinds[k].values[kindPlane(kKindOpen, g_pixel)] += L.x;                                                   \
-    kinds[k].values[kindPlane(kKindOpen + 1u, g_pixel)] += L.y;                                              \
-    kinds[k].values[kindPlane(kKindOpen + 2u, g_pixel)] += L.z;                                              \
-  }
+// Sums of the open group of samples, in registers while the lane works on its pixel: from and to storage buffers at
+// every vertex they would cost more than the path. A buffer is chosen by constants, which every device can do.
+vec3 g_kindSums[kKindCount];
+
+#define VKPT_EACH_KIND(X)                                                                                    \
+  X(kKindEmission) X(kKindDirect) X(kKindCaustic) X(kKindIndirect) X(kKindIndirectCaustic) X(kKindSpecular)
+#define VKPT_ADD_TO_KIND(k) g_kindSums[k] += kind == k ? L : vec3(0.0);
+#define VKPT_LOAD_KIND(k)                                                                                    \
+  g_kindSums[k] = vec3(kinds[k].values[kindPlane(kKindOpen, g_pixel)],                                       \
+                       kinds[k].values[kindPlane(kKindOpen + 1u, g_pixel)],                                  \
+                       kinds[k].values[kindPlane(kKindOpen + 2u, g_pixel)]);
+#define VKPT_STORE_KIND(k)                                                                                   \
+  kinds[k].values[kindPlane(kKindOpen, g_pixel)] = g_kindSums[k].x;                                          \
+  kinds[k].values[kindPlane(kKindOpen + 1u, g_pixel)] = g_kindSums[k].y;                                     \
+  kinds[k].values[kindPlane(kKindOpen + 2u, g_pixel)] = g_kindSums[k].z;
+
 void recordKind(uint kind, vec3 L) {
   if (!(isFinite(L.x) && isFinite(L.y) && isFinite(L.z))) return; // the sample is a fault, counted where it ends
-  VKPT_RECORD_KIND(kKindEmission)
-  VKPT_RECORD_KIND(kKindDirect)
-  VKPT_RECORD_KIND(kKindCaustic)
-  VKPT_RECORD_KIND(kKindIndirect)
-  VKPT_RECORD_KIND(kKindIndirectCaustic)
-  VKPT_RECORD_KIND(kKindSpecular)
+  VKPT_EACH_KIND(VKPT_ADD_TO_KIND)
 }
+void loadKinds() { VKPT_EACH_KIND(VKPT_LOAD_KIND) }
+void storeKinds() { VKPT_EACH_KIND(VKPT_STORE_KIND) }
 
 // --- what the library reports, per lane, summed up at the end of the dispatch ---
 uint g_steps = 0u; // traversal steps of the subgroup so far

@@ -87,6 +87,7 @@ bool startWork(out Work work, out Path path) {
     work.mean = filmColour(kFilmOpenMean, work.pixel);
     work.deviations = filmColour(kFilmOpenDeviations, work.pixel);
   }
+  if (kEffectKindImages && any) loadKinds();
   return any && work.done < job.sampleCount;
 }
 
@@ -122,6 +123,7 @@ void main() {
     } while (working && g_steps < kStepBudget && wellFilled());
   }
   if (started) savePath(work, path);
+  if (kEffectKindImages && started) storeKinds();
   if (working) {
     uint place = atomicAdd(counters.unfinished, 1u);
     slotLists[job.listTurn * job.slotCount + place] = work.slot;

@@ -21,6 +21,6 @@ Vec3 conductorReflectance(Material m, Float cosI) {
               fresnelConductor(cosI, m.eta.z, m.k.z));
 }
 
-BsdfSample sampleConductor(Material m, Vec3 wo, Vec3 n, Vec3 ng) {
-  return specularSample(reflectAbove(wo, n, ng), conductorReflectance(m, min(abs(dot(n, wo)), 1.0)));
+BsdfSample sampleConductor(Surface s, Vec3 wo, Vec3) {
+  return specularSample(reflectAbove(wo, s.n, s.ng), conductorReflectance(s.m, min(abs(dot(s.n, wo)), 1.0)));
 }

@@ -52,6 +52,7 @@ DielectricBranches dielectricBranches(Material m, Vec3 wo, Vec3 n, Vec3 ng, bool
   return b;
 }
 
-BsdfSample sampleDielectric(DielectricBranches b, Float u) {
-  return specularSample(normalize(u < b.share ? b.reflection : b.refraction), Vec3(1.0));
+BsdfSample sampleDielectric(Surface s, Vec3 wo, Vec3 u) {
+  DielectricBranches b = dielectricBranches(s.m, wo, s.n, s.ng, s.front);
+  return specularSample(normalize(u.z < b.share ? b.reflection : b.refraction), Vec3(1.0));
 }

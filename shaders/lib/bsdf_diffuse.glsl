@@ -1,18 +1,18 @@
 // Lambertian reflection: f = albedo / pi; sampled in proportion to the cosine.
 
-BsdfValue evaluateDiffuse(Material m, Vec3 wi, Vec3 n) {
+BsdfValue evaluateDiffuse(Surface s, Vec3, Vec3 wi) {
   BsdfValue value;
-  value.f = m.reflectance * MUTATE(InversePiDropped, kInvPi, 1.0);
-  value.pdf_w = dot(n, wi) * kInvPi;
+  value.f = s.m.reflectance * MUTATE(InversePiDropped, kInvPi, 1.0);
+  value.pdf_w = dot(s.n, wi) * kInvPi;
   return value;
 }
 
-BsdfSample sampleDiffuse(Material m, Vec3 n, Vec3 ng, Vec2 u) {
-  Vec3 local = squareToCosineHemisphere(u);
-  BsdfSample s;
-  s.wi = normalize(toWorld(makeFrame(n), local));
-  s.weight = dot(s.wi, ng) > 0.0 ? m.reflectance : Vec3(0.0); // an opaque surface: nothing goes through it
-  s.pdf_w = local.z * kInvPi;
-  s.specular = false;
-  return s;
+BsdfSample sampleDiffuse(Surface s, Vec3, Vec3 u) {
+  Vec3 local = squareToCosineHemisphere(Vec2(u.x, u.y));
+  BsdfSample b;
+  b.wi = normalize(toWorld(makeFrame(s.n), local));
+  b.weight = s.m.reflectance;
+  b.pdf_w = local.z * kInvPi;
+  b.specular = false;
+  return b;
 }

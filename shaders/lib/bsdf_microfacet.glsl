@@ -20,13 +20,14 @@ Float coatShare(Material m, Float zo) {
   return maxComponent(m.specular) > 0.0 ? share : 0.0;
 }
 
-BsdfValue evaluateMicrofacet(Material m, Vec3 wo, Vec3 wi, Vec3 n) {
+BsdfValue evaluateMicrofacet(Surface s, Vec3 wo, Vec3 wi) {
+  Material m = s.m;
   Vec3 h = normalize(wo + wi);
-  Float zo = clamp(dot(n, wo), 0.0, 1.0);
-  Float zi = clamp(dot(n, wi), 0.0, 1.0);
+  Float zo = clamp(dot(s.n, wo), 0.0, 1.0);
+  Float zi = clamp(dot(s.n, wi), 0.0, 1.0);
   Float unused;
   Float fresnel = fresnelDielectric(clamp(dot(wo, h), 0.0, 1.0), m.ior, unused);
-  Float density = facetDensity(m.roughness, true, facetAngle(n, h));
+  Float density = facetDensity(m.roughness, true, facetAngle(s.n, h));
   Float coat = 0.25 * density * MUTATE(CoatFresnelDropped, fresnel, 1.0) * coatMasking(m.roughness, zo) *
                coatMasking(m.roughness, zi);
   Float share = coatShare(m, zo);
@@ -38,9 +39,10 @@ BsdfValue evaluateMicrofacet(Material m, Vec3 wo, Vec3 wi, Vec3 n) {
 }
 
 // `u.z` chooses the lobe; the direction may lie below the surface.
-Vec3 sampleMicrofacetDirection(Material m, Vec3 wo, Vec3 n, Vec3 u) {
-  Facet facet = sampleFacet(m.roughness, true, wo, n, Vec2(u.x, u.y));
+BsdfSample sampleMicrofacet(Surface s, Vec3 wo, Vec3 u) {
+  Facet facet = sampleFacet(s.m.roughness, true, wo, s.n, Vec2(u.x, u.y));
   Vec3 mirrored = facet.h * (2.0 * facet.cosH) - facet.wo;
-  bool coat = u.z < coatShare(m, min(facet.wo.z, 1.0));
-  return normalize(toWorld(facet.frame, coat ? mirrored : squareToCosineHemisphere(Vec2(u.x, u.y))));
+  bool coat = u.z < coatShare(s.m, min(facet.wo.z, 1.0));
+  Vec3 wi = normalize(toWorld(facet.frame, coat ? mirrored : squareToCosineHemisphere(Vec2(u.x, u.y))));
+  return smoothSample(s, wi, evaluateMicrofacet(s, wo, wi));
 }

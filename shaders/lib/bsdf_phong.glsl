@@ -20,8 +20,9 @@ Float phongSpecularShare(Material m) {
 }
 
 // The weight of both lobes towards wi, which lies above the surface.
-BsdfValue evaluatePhong(Material m, Vec3 wo, Vec3 wi, Vec3 n) {
-  Vec3 mirrored = n * (2.0 * dot(n, wo)) - wo;
+BsdfValue evaluatePhong(Surface s, Vec3 wo, Vec3 wi) {
+  Material m = s.m;
+  Vec3 mirrored = s.n * (2.0 * dot(s.n, wo)) - wo;
   Vec3 difference = wi - mirrored;
   Float versine = min(0.5 * dot(difference, difference), 1.0); // 1 - cos(alpha), without its cancellation
   Float power = m.roughness > 0.0 ? exp(m.roughness * logOneMinus(versine)) : 1.0;
@@ -29,14 +30,15 @@ BsdfValue evaluatePhong(Material m, Vec3 wo, Vec3 wi, Vec3 n) {
   Float share = phongSpecularShare(m);
   BsdfValue value;
   value.f = m.reflectance * kInvPi + m.specular * ((m.roughness + 2.0) * lobe);
-  value.pdf_w = (1.0 - share) * dot(n, wi) * kInvPi +
+  value.pdf_w = (1.0 - share) * dot(s.n, wi) * kInvPi +
                 share * MUTATE(PhongNormalisation, m.roughness + 1.0, m.roughness + 2.0) * lobe;
   return value;
 }
 
 // A direction from one of the lobes, `u.z` chooses; it may lie below the surface.
-Vec3 samplePhongDirection(Material m, Vec3 wo, Vec3 n, Vec3 u) {
-  Vec3 mirrored = n * (2.0 * dot(n, wo)) - wo;
+BsdfSample samplePhong(Surface s, Vec3 wo, Vec3 u) {
+  Material m = s.m;
+  Vec3 mirrored = s.n * (2.0 * dot(s.n, wo)) - wo;
   bool specular = u.z < phongSpecularShare(m);
   // cos(alpha) = (1 - u)^(1 / (n + 1)), by its logarithm.
   Float logCos = log(1.0 - u.x) / (m.roughness + 1.0);
@@ -44,5 +46,6 @@ Vec3 samplePhongDirection(Material m, Vec3 wo, Vec3 n, Vec3 u) {
   Float phi = 2.0 * kPi * u.y;
   Vec3 lobe = Vec3(sinAlpha * cos(phi), sinAlpha * sin(phi), exp(logCos));
   Vec3 local = specular ? lobe : squareToCosineHemisphere(Vec2(u.x, u.y));
-  return normalize(toWorld(makeFrame(normalize(specular ? mirrored : n)), local));
+  Vec3 wi = normalize(toWorld(makeFrame(normalize(specular ? mirrored : s.n)), local));
+  return smoothSample(s, wi, evaluatePhong(s, wo, wi));
 }

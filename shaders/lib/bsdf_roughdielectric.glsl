@@ -24,18 +24,18 @@ Float fresnelTransmittance(Float cosO, Float cosT, Float eta) {
   return cosT > 0.0 ? 2.0 * eta * cosO * cosT * (1.0 / (s * s) + 1.0 / (p * p)) : 0.0;
 }
 
-BsdfValue evaluateRoughDielectric(Material m, Vec3 wo, Vec3 wi, Vec3 n, bool front) {
-  Float eta = indexBeyond(m, front);
-  bool reflected = dot(n, wi) > 0.0;
+BsdfValue evaluateRoughDielectric(Surface s, Vec3 wo, Vec3 wi) {
+  Float eta = indexBeyond(s.m, s.front);
+  bool reflected = dot(s.n, wi) > 0.0;
   Vec3 h = normalize(wo + wi * (reflected ? 1.0 : eta));
-  h = dot(n, h) < 0.0 ? -h : h;
+  h = dot(s.n, h) < 0.0 ? -h : h;
   Float cosO = clamp(dot(wo, h), 0.0, 1.0);
   Float cosT = max(-dot(wi, h), 0.0);
   Float unused;
   Float share = fresnelDielectric(cosO, eta, unused);
   Float refraction = fresnelTransmittance(cosO, cosT, eta) * refractionSpread(cosO, cosT, eta);
   Float spread = reflected ? share * kReflectionSpread : refraction;
-  FacetValue facets = facetValue(m.roughness, isBeckmann(m), wo, wi, n, h, spread);
+  FacetValue facets = facetValue(s.m.roughness, isBeckmann(s.m), wo, wi, s.n, h, spread);
   BsdfValue value;
   value.f = Vec3(facets.f);
   value.pdf_w = facets.pdf_w;
@@ -43,9 +43,9 @@ BsdfValue evaluateRoughDielectric(Material m, Vec3 wo, Vec3 wi, Vec3 n, bool fro
 }
 
 // `u.z` chooses between reflection and refraction; a direction may lie on the wrong side: its weight is 0.
-BsdfSample sampleRoughDielectric(Material m, Vec3 wo, Vec3 n, bool front, Vec3 u) {
-  Float eta = indexBeyond(m, front);
-  Facet facet = sampleFacet(m.roughness, isBeckmann(m), wo, n, Vec2(u.x, u.y));
+BsdfSample sampleRoughDielectric(Surface s, Vec3 wo, Vec3 u) {
+  Float eta = indexBeyond(s.m, s.front);
+  Facet facet = sampleFacet(s.m.roughness, isBeckmann(s.m), wo, s.n, Vec2(u.x, u.y));
   Float cosT;
   Float share = fresnelDielectric(facet.cosH, eta, cosT);
   bool reflected = u.z < share;
@@ -53,7 +53,7 @@ BsdfSample sampleRoughDielectric(Material m, Vec3 wo, Vec3 n, bool front, Vec3 u
                       : facet.h * (facet.cosH / eta - cosT) - facet.wo / eta;
   Float refraction = fresnelTransmittance(facet.cosH, cosT, eta) * refractionSpread(facet.cosH, cosT, eta);
   Float spread = reflected ? share * kReflectionSpread : refraction;
-  BsdfSample s = facetSample(facet, m.roughness, isBeckmann(m), wi, spread);
-  s.weight = (wi.z > 0.0) == reflected ? s.weight : Vec3(0.0);
-  return s;
+  BsdfSample b = facetSample(facet, s.m.roughness, isBeckmann(s.m), wi, spread);
+  b.weight = (wi.z > 0.0) == reflected ? b.weight : Vec3(0.0);
+  return b;
 }

@@ -44,14 +44,21 @@ LightSample sampleTriangle(LightRecord light, Vec3 p, Vec2 u) {
   s.delta = false;
   s.distant = false;
   s.end = offsetRayOrigin(onLight, positionError(light.v0, light.v1, light.v2), ng, -toLight);
-  s.triangle = light.triangle;
   return s;
 }
 
 // Seen from p. `random` chooses the light and a point on it, `more` a direction to the environment.
 LightSample sampleLight(Vec3 p, UVec4 random, UVec4 more) {
   LightRecord light = chooseLight(random);
-  LightSample s = sampleTriangle(light, p, Vec2(toUnit(random.z), toUnit(random.w)));
+  LightSample s;
+  s.wi = Vec3(0.0, 0.0, 1.0);
+  s.L = Vec3(0.0);
+  s.pdf_w = 0.0; // of a light whose kind is left out
+  s.delta = false;
+  s.distant = false;
+  s.end = p;
+  if (kEffectAreaLights) s = sampleTriangle(light, p, Vec2(toUnit(random.z), toUnit(random.w)));
+  s.triangle = light.triangle;
   if (kEffectDeltaLights && (light.triangle == kLightPoint || light.triangle == kLightDirectional)) {
     s.distant = light.triangle == kLightDirectional;
     Vec3 toLight = s.distant ? light.v0 : light.v0 - p;

@@ -5,7 +5,10 @@
 
 CONSTANT Float kInvSqrtPi = 0.56418958354775628695;
 
-bool isBeckmann(Material m) { return (m.flags & kMaterialBeckmann) != 0u; }
+// One of the two distributions is compiled in, or both; where one is left out, its surfaces have the other's facets.
+bool isBeckmann(Material m) {
+  return kEffectBeckmann && (!kEffectGgx || (m.flags & kMaterialBeckmann) != 0u);
+}
 
 // Cosine and squared sine of the angle between n and h, both unit; the sine without the cancellation of 1 - cos^2,
 // which would lose the peak of a nearly smooth surface.

@@ -34,6 +34,9 @@ void gather(INOUT(Path) path, uint history, Vec3 L) {
   path.L += counted;
 }
 
+// By way of the subgroup: a kernel with a loop whose bound is a uniform is compiled anew for every dispatch by lavapipe.
+uint lightSampleCount() { return subgroupMaximum(lightSamples()); }
+
 // Radiance that the lights send to a surface and on to the viewer, by one light sample: f cos Le / pdf_w.
 Vec3 sampleDirect(Surface s, Vec3 wo, UVec4 random, UVec4 more, bool wanted) {
   LightSample light = sampleLight(s.p, random, more);
@@ -124,7 +127,7 @@ bool Li(INOUT(Path) path) {
     if (kEffectLightSampling && goesOn) {
       uint history = afterDiffuse(path.history);
       bool wanted = !kEffectPathKinds || kindWanted(history);
-      uint count = kEffectLightSamples ? lightSamples() : 1u;
+      uint count = kEffectLightSamples ? lightSampleCount() : 1u;
       Vec3 direct = Vec3(0.0);
       uint i = 0u;
       do {

@@ -1,26 +1,28 @@
-// The choice between the BSDFs. A new one has a line in each of these functions, and a file.
+// The choice between the BSDFs of shared/effects.h. Each has, in a file of its own,
+//   BsdfSample sampleTYPE(Surface s, Vec3 wo, Vec3 u)   a direction in proportion to what the surface scatters; u.z
+//                                                       chooses between lobes. A smooth one may lie below the surface.
+//   BsdfValue evaluateTYPE(Surface s, Vec3 wo, Vec3 wi) unless it is specular: f, and the density with which
+//                                                       sampling finds wi, on a side that it scatters to.
 
 // Whether light sampling can find what the surface scatters: it is not a delta distribution.
 bool isSmooth(uint bsdf) {
   bool found = false;
-  if (kEffectDiffuse) found = found || bsdf == kBsdfDiffuse;
-  if (kEffectPhong) found = found || bsdf == kBsdfPhong;
-  if (kEffectMicrofacet) found = found || bsdf == kBsdfMicrofacet;
-  if (kEffectRoughMetal) found = found || bsdf == kBsdfRoughConductor;
-  if (kEffectRoughGlass) found = found || bsdf == kBsdfRoughDielectric;
+#define VKPT_IS(Name, Type) if (kEffect##Name) found = found || bsdf == kBsdf##Type;
+  VKPT_SMOOTH_BSDFS(VKPT_IS)
+#undef VKPT_IS
   return found;
 }
 
+bool isRoughGlass(uint bsdf) { return kEffectRoughGlass && bsdf == kBsdfRoughDielectric; }
 // Whether light goes through it to a medium that may absorb.
-bool isGlass(uint bsdf) { return bsdf == kBsdfDielectric || (kEffectRoughGlass && bsdf == kBsdfRoughDielectric); }
+bool isGlass(uint bsdf) { return bsdf == kBsdfDielectric || isRoughGlass(bsdf); }
 
-// For a smooth BSDF and wi on a side that it scatters to: f, and the density with which sampleBsdf() finds wi.
+// Of a smooth BSDF, for a wi that scattersTo() is true of.
 BsdfValue evaluateBsdf(Surface s, Vec3 wo, Vec3 wi) {
-  BsdfValue value = evaluateDiffuse(s.m, wi, s.n);
-  if (kEffectPhong && s.m.bsdf == kBsdfPhong) value = evaluatePhong(s.m, wo, wi, s.n);
-  if (kEffectMicrofacet && s.m.bsdf == kBsdfMicrofacet) value = evaluateMicrofacet(s.m, wo, wi, s.n);
-  if (kEffectRoughMetal && s.m.bsdf == kBsdfRoughConductor) value = evaluateRoughConductor(s.m, wo, wi, s.n);
-  if (kEffectRoughGlass && s.m.bsdf == kBsdfRoughDielectric) value = evaluateRoughDielectric(s.m, wo, wi, s.n, s.front);
+  BsdfValue value = evaluateDiffuse(s, wo, wi);
+#define VKPT_EVALUATE(Name, Type) if (kEffect##Name && s.m.bsdf == kBsdf##Type) value = evaluate##Type(s, wo, wi);
+  VKPT_GLOSSY_BSDFS(VKPT_EVALUATE)
+#undef VKPT_EVALUATE
   return value;
 }
 
@@ -29,47 +31,17 @@ bool scattersTo(Surface s, Vec3 wi) {
   Float shading = dot(s.n, wi);
   Float geometric = dot(s.ng, wi);
   bool found = shading > 0.0 && geometric > 0.0;
-  if (kEffectRoughGlass) found = found || (s.m.bsdf == kBsdfRoughDielectric && shading < 0.0 && geometric < 0.0);
+  if (isRoughGlass(s.m.bsdf)) found = found || (shading < 0.0 && geometric < 0.0);
   return found;
 }
 
-// A sample that weighs nothing where the surface doesn't scatter.
-BsdfSample scattered(Surface s, BsdfSample b) {
-  b.weight = scattersTo(s, b.wi) ? b.weight : Vec3(0.0);
-  return b;
-}
-
-// A sample of a lobe in direction wi, its weight from evaluateBsdf(). Where the density rounds to 0 so does f.
-BsdfSample smoothSample(Surface s, Vec3 wo, Vec3 wi) {
-  BsdfSample b;
-  b.wi = wi;
-  b.specular = false;
-  BsdfValue value = evaluateBsdf(s, wo, wi);
-  b.pdf_w = value.pdf_w;
-  b.weight = value.pdf_w > 0.0 ? value.f * (abs(dot(s.n, wi)) / value.pdf_w) : Vec3(0.0);
-  return scattered(s, b);
-}
-
-// A direction in proportion to what the surface scatters. Specular transmission is sampled by the caller from
-// dielectricBranches() where both branches are followed.
+// Weighs nothing where the surface doesn't scatter.
 BsdfSample sampleBsdf(Surface s, Vec3 wo, UVec4 random) {
   BsdfSample b = specularSample(s.ng, Vec3(0.0));
   Vec3 u = Vec3(toUnit(random.x), toUnit(random.y), toUnit(random.z));
-  if (kEffectDiffuse && s.m.bsdf == kBsdfDiffuse) b = sampleDiffuse(s.m, s.n, s.ng, Vec2(u.x, u.y));
-  if (kEffectMirror && s.m.bsdf == kBsdfMirror) b = sampleMirror(s.m, wo, s.n, s.ng);
-  if (kEffectGlass && s.m.bsdf == kBsdfDielectric) {
-    b = sampleDielectric(dielectricBranches(s.m, wo, s.n, s.ng, s.front), u.z);
-  }
-  if (kEffectMetal && s.m.bsdf == kBsdfConductor) b = sampleConductor(s.m, wo, s.n, s.ng);
-  if (kEffectPhong && s.m.bsdf == kBsdfPhong) b = smoothSample(s, wo, samplePhongDirection(s.m, wo, s.n, u));
-  if (kEffectMicrofacet && s.m.bsdf == kBsdfMicrofacet) {
-    b = smoothSample(s, wo, sampleMicrofacetDirection(s.m, wo, s.n, u));
-  }
-  if (kEffectRoughMetal && s.m.bsdf == kBsdfRoughConductor) {
-    b = scattered(s, sampleRoughConductor(s.m, wo, s.n, Vec2(u.x, u.y)));
-  }
-  if (kEffectRoughGlass && s.m.bsdf == kBsdfRoughDielectric) {
-    b = scattered(s, sampleRoughDielectric(s.m, wo, s.n, s.front, u));
-  }
+#define VKPT_SAMPLE(Name, Type) if (kEffect##Name && s.m.bsdf == kBsdf##Type) b = sample##Type(s, wo, u);
+  VKPT_BSDFS(VKPT_SAMPLE)
+#undef VKPT_SAMPLE
+  if (!b.specular && !scattersTo(s, b.wi)) b.weight = Vec3(0.0);
   return b;
 }

@@ -1,14 +1,5 @@
 // What a ray meets.
 
-struct Surface {
-  Vec3 p;
-  Vec3 error;
-  Vec3 ng;     // geometric normal on the viewer's side
-  Vec3 n;      // shading normal on the viewer's side
-  bool front;  // seen from the side its normal points to
-  Material m;
-};
-
 Surface surfaceAt(Hit hit, Vec3 wo) {
   Surface s;
   TriangleRecord tri = triangleRecord(hit.triangle);

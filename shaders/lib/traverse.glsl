@@ -154,6 +154,7 @@ bool traceOccluded(Ray ray, Float tMax, uint target) {
   RayBasis basis = makeRayBasis(ray.d);
   TraversalStack stack = emptyStack();
   uint current = tMax > 0.0 ? 0u : kTraversalDone;
+  uint most = shadowSteps(); // once: drivers leave a division in the loop
   uint steps = 0u;
   do {
     uint nodes = 0u;
@@ -178,7 +179,7 @@ bool traceOccluded(Ray ray, Float tMax, uint target) {
     if (current == kTraversalPop) current = popChild(stack);
     if (occluded) current = kTraversalDone;
     steps += 1u;
-  } while (current != kTraversalDone && steps < shadowSteps());
+  } while (current != kTraversalDone && steps < most);
   reportTraversal(steps, current != kTraversalDone);
   reportShadowRay(tMax > 0.0);
   return occluded;

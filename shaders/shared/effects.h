@@ -1,6 +1,9 @@
-// Every effect a scene can call for, one line each: X(id, name, what must be true of the scene and the
+// Every effect a scene can call for, one line each: X(id, Name, name, what must be true of the scene and the
 // options). From this list come the C++ enum, the names, the specialisation constants and their map, and the
 // tables. Ids are positions in a bit set and specialisation constant ids; never reuse one.
+#ifndef VKPT_SHARED_EFFECTS_H
+#define VKPT_SHARED_EFFECTS_H
+
 #define VKPT_EFFECTS(X)                                                                                      \
   X(0, Diffuse, diffuse, "a triangle whose material scatters diffusely")                                     \
   X(1, Mirror, mirror, "a triangle with a mirror material")                                                  \
@@ -10,7 +13,7 @@
   X(5, AreaLights, areaLights, "a triangle of positive area whose material emits")                           \
   X(6, ManyLights, manyLights, "more than one light to sample: a table to choose from")                      \
   X(7, LightSampling, lightSampling, "lights to sample, by --light nee or mis or as they can't be hit")      \
-  X(8, Background, background, "a constant background radiance above zero")                                  \
+  X(8, Background, background, "a constant background radiance above zero, and a way out to it")             \
   X(9, BounceLimit, bounceLimit, "--max-bounces below infinity")                                             \
   X(10, Roulette, roulette, "a surface after which a path can go on without limit")                          \
   X(11, Mis, mis, "lights that light sampling and BSDF sampling both find, and --light mis")                 \
@@ -18,13 +21,32 @@
   X(13, Microfacet, microfacet, "a triangle with Nori's microfacet material")                                \
   X(14, RoughMetal, roughMetal, "a triangle with a rough conductor material")                                \
   X(15, RoughGlass, roughGlass, "a triangle with a rough dielectric material")                               \
-  X(16, Textures, textures, "a triangle whose material has a texture")                                       \
+  X(16, Textures, textures, "a triangle whose material has a texture of more than one colour")               \
   X(17, Absorption, absorption, "a triangle with a dielectric material that absorbs")                        \
-  X(18, DeltaLights, deltaLights, "a point or directional light")                                            \
-  X(19, Environment, environment, "an environment map that is not black")                                    \
+  X(18, DeltaLights, deltaLights, "a point light, or a directional light and a way out to it")               \
+  X(19, Environment, environment, "an environment map that is not black, and a way out to it")               \
   X(20, OneSided, oneSided, "a triangle whose material scatters on one side only")                           \
   X(21, LightSamples, lightSamples, "--light-samples above 1")                                               \
   X(22, Splitting, splitting, "a smooth dielectric, mirror or conductor, and --split above 0")               \
   X(23, PathKinds, pathKinds, "--paths with fewer than all kinds, or --output-paths")                        \
   X(24, KindImages, kindImages, "--output-paths")                                                            \
-  X(25, PixelFilter, pixelFilter, "a reconstruction filter other than a box of one pixel")
+  X(25, PixelFilter, pixelFilter, "a reconstruction filter other than a box of one pixel")                   \
+  X(26, Ggx, ggx, "rough metal or rough glass with the distribution ggx")                                    \
+  X(27, Beckmann, beckmann, "rough metal or rough glass with the distribution beckmann")
+
+// How surfaces scatter: X(Name of the effect, Type). A type's number is its effect's id; sampleTYPE() and,
+// unless it is specular, evaluateTYPE() are chosen by it (shaders/lib/scatter.glsl). What is not diffuse:
+#define VKPT_GLOSSY_BSDFS(X)                                                                                 \
+  X(Phong, Phong)                                                                                            \
+  X(Microfacet, Microfacet)                                                                                  \
+  X(RoughMetal, RoughConductor)                                                                              \
+  X(RoughGlass, RoughDielectric)
+// Delta distributions: light sampling can't find what they scatter.
+#define VKPT_SPECULAR_BSDFS(X)                                                                               \
+  X(Mirror, Mirror)                                                                                          \
+  X(Glass, Dielectric)                                                                                       \
+  X(Metal, Conductor)
+#define VKPT_SMOOTH_BSDFS(X) X(Diffuse, Diffuse) VKPT_GLOSSY_BSDFS(X)
+#define VKPT_BSDFS(X) VKPT_SMOOTH_BSDFS(X) VKPT_SPECULAR_BSDFS(X)
+
+#endif

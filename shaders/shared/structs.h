@@ -3,6 +3,8 @@
 #ifndef VKPT_SHARED_STRUCTS_H
 #define VKPT_SHARED_STRUCTS_H
 
+#include "shared/effects.h"
+
 #ifdef __cplusplus
 #include <cstdint>
 namespace vkpt::shared {
@@ -51,15 +53,13 @@ VKPT_CONSTANT uint kRouletteAlbedo = 0u;
 VKPT_CONSTANT uint kRouletteThroughput = 1u;
 VKPT_CONSTANT uint kRouletteConstant = 2u;
 
-// --- materials: the values of vkpt::BsdfType ---
-VKPT_CONSTANT uint kBsdfDiffuse = 0u;
-VKPT_CONSTANT uint kBsdfMirror = 1u;
-VKPT_CONSTANT uint kBsdfDielectric = 2u;
-VKPT_CONSTANT uint kBsdfConductor = 3u;
-VKPT_CONSTANT uint kBsdfPhong = 4u;
-VKPT_CONSTANT uint kBsdfMicrofacet = 5u;
-VKPT_CONSTANT uint kBsdfRoughConductor = 6u;
-VKPT_CONSTANT uint kBsdfRoughDielectric = 7u;
+// --- materials: kBsdfDiffuse, ..., the values of vkpt::BsdfType: ids of the effects ---
+#define VKPT_ID(id, Name, name, what) VKPT_CONSTANT uint kIdOf##Name = id;
+VKPT_EFFECTS(VKPT_ID)
+#undef VKPT_ID
+#define VKPT_NUMBER(Name, Type) VKPT_CONSTANT uint kBsdf##Type = kIdOf##Name;
+VKPT_BSDFS(VKPT_NUMBER)
+#undef VKPT_NUMBER
 
 // Flags of a material.
 VKPT_CONSTANT uint kMaterialOneSided = 1u;

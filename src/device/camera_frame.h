@@ -1,8 +1,8 @@
 #pragma once
 // What stays the same over a render, as the kernels and the host programs read it.
 
-#include "device/device_scene.h"
 #include "device/estimator_settings.h"
+#include "device/packed_scene.h"
 #include "scene/scene.h"
 #include "shared/structs.h"
 

@@ -16,16 +16,18 @@ static_assert(std::ranges::all_of(kEffects, [](const EffectInfo& e) {
   return static_cast<std::size_t>(e.effect) < kEffectIds;
 }));
 
-/// An effect that means nothing without the other one.
+/// An effect that means nothing without one of the others.
 struct Dependence {
   Effect effect;
-  Effect on;
+  std::array<Effect, 2> on;
 };
 constexpr Dependence kDependences[] = {
-    {Effect::Mis, Effect::LightSampling},
-    {Effect::ManyLights, Effect::LightSampling},
-    {Effect::DeltaLights, Effect::LightSampling},
-    {Effect::LightSamples, Effect::LightSampling},
+    {Effect::Mis, {Effect::LightSampling, Effect::LightSampling}},
+    {Effect::ManyLights, {Effect::LightSampling, Effect::LightSampling}},
+    {Effect::DeltaLights, {Effect::LightSampling, Effect::LightSampling}},
+    {Effect::LightSamples, {Effect::LightSampling, Effect::LightSampling}},
+    {Effect::RoughMetal, {Effect::Ggx, Effect::Beckmann}},
+    {Effect::RoughGlass, {Effect::Ggx, Effect::Beckmann}},
 };
 
 } // namespace
@@ -59,7 +61,8 @@ EffectSet without(const EffectSet& set, const EffectSet& leftOut) {
       rest.set(e.effect, false);
   }
   for (const auto& [effect, on] : kDependences) {
-    if (leftOut.has(on))
+    const auto stays = [&rest](Effect e) { return rest.has(e); };
+    if (std::ranges::none_of(on, stays))
       rest.set(effect, false);
   }
   return rest;

@@ -33,6 +33,11 @@ std::string_view effectName(Effect effect);
 class EffectSet {
 public:
   static EffectSet all();
+  static EffectSet of(Effect e) {
+    EffectSet set;
+    set.set(e);
+    return set;
+  }
   [[nodiscard]] bool has(Effect e) const { return ((m_bits >> static_cast<std::uint32_t>(e)) & 1U) != 0U; }
   void set(Effect e, bool on = true) {
     const std::uint64_t bit = std::uint64_t{1} << static_cast<std::uint32_t>(e);
@@ -46,7 +51,8 @@ private:
 };
 
 /// `set` without the effects in `leftOut`, and without those that mean nothing once these are gone: no
-/// weights of two strategies, no table of lights, without light sampling.
+/// weights of two strategies, no table of lights, without light sampling; no rough metal without a
+/// distribution.
 EffectSet without(const EffectSet& set, const EffectSet& leftOut);
 
 /// Why an effect is on or off.

@@ -1,7 +1,8 @@
 // Which effects a scene calls for, and because of what: one walk over the scene yields both.
 
-#include "device/device_scene.h"
+#include "device/effective_material.h"
 #include "device/effects.h"
+#include "device/enclosure.h"
 #include "device/filter_table.h"
 #include "device/light_table.h"
 
@@ -14,32 +15,13 @@
 namespace vkpt {
 namespace {
 
-constexpr auto kSmoothBsdfs = {Effect::Diffuse, Effect::Phong, Effect::Microfacet, Effect::RoughMetal,
-                               Effect::RoughGlass};
-constexpr auto kSpecularBsdfs = {Effect::Mirror, Effect::Glass, Effect::Metal};
+#define VKPT_EFFECT(Name, Type) Effect::Name,
+constexpr auto kSmoothBsdfs = {VKPT_SMOOTH_BSDFS(VKPT_EFFECT)};
+constexpr auto kSpecularBsdfs = {VKPT_SPECULAR_BSDFS(VKPT_EFFECT)};
+#undef VKPT_EFFECT
 constexpr std::size_t kNone = static_cast<std::size_t>(-1);
 
-Effect effectOf(BsdfType type) {
-  switch (type) {
-  case BsdfType::Diffuse:
-    return Effect::Diffuse;
-  case BsdfType::Mirror:
-    return Effect::Mirror;
-  case BsdfType::Dielectric:
-    return Effect::Glass;
-  case BsdfType::Conductor:
-    return Effect::Metal;
-  case BsdfType::Phong:
-    return Effect::Phong;
-  case BsdfType::Microfacet:
-    return Effect::Microfacet;
-  case BsdfType::RoughConductor:
-    return Effect::RoughMetal;
-  case BsdfType::RoughDielectric:
-    return Effect::RoughGlass;
-  }
-  return Effect::Diffuse;
-}
+Effect effectOf(BsdfType type) { return static_cast<Effect>(type); }
 
 bool isBlack(const Vec3f& v) { return v == Vec3f(0.0F); }
 bool isLit(const Vec3f& v) { return v.x > 0.0F || v.y > 0.0F || v.z > 0.0F; }
@@ -50,16 +32,18 @@ std::string called(const Material& m) {
 
 class Detection {
 public:
-  Detection(const Scene& scene, const EstimatorSettings& settings) : m_scene(scene), m_settings(settings) {}
+  Detection(const Scene& scene, const EstimatorSettings& settings)
+      : m_scene(scene), m_settings(settings), m_materials(effectiveMaterials(scene)) {}
 
   EffectReasons run() {
     const bool goesOn = m_settings.maxBounces > 0;
     findUses();
-    for (std::size_t i = 0; i < m_scene.materials.size(); ++i)
-      material(m_scene.materials[i], m_firstUse[i] != kNone, goesOn);
+    for (std::size_t i = 0; i < m_materials.size(); ++i)
+      material(m_materials[i], m_scene.materials[i].texture, m_firstUse[i] != kNone, goesOn);
     if (goesOn)
       normals();
     emitters();
+    outside();
     lightSampling(goesOn);
     paths();
     image();
@@ -92,7 +76,7 @@ private:
   }
 
   void findUses() {
-    m_firstUse.assign(m_scene.materials.size(), kNone);
+    m_firstUse.assign(m_materials.size(), kNone);
     for (std::size_t i = 0; i < m_scene.triangles.size(); ++i) {
       std::size_t& first = m_firstUse[m_scene.triangles[i].material];
       if (first == kNone && triangleArea(m_scene, m_scene.triangles[i]) > 0.0)
@@ -100,7 +84,8 @@ private:
     }
   }
 
-  void material(const Material& m, bool used, bool goesOn) {
+  /// As it is in effect; `texture`: what the file gives it.
+  void material(const Material& m, std::uint32_t texture, bool used, bool goesOn) {
     const Effect own = effectOf(m.bsdf);
     if (!used)
       return miss(own, called(m) + " is on no triangle that has an area", m.where);
@@ -121,15 +106,21 @@ private:
       miss(own, fmt::format("{} has the effect of {}", called(m), effectName(effectOf(type))), m.where);
     if (!m.twoSided && !transmits(m))
       on(Effect::OneSided, called(m), m.where);
+    if (hasFacets(m)) {
+      const bool beckmann = m.distribution == MicrofacetDistribution::Beckmann;
+      on(beckmann ? Effect::Beckmann : Effect::Ggx, called(m), m.where);
+    }
     if (readsTexture(m))
       on(Effect::Textures, called(m), m.where);
-    else if (m.texture != kNoTexture)
+    else if (m.texture != texture)
+      miss(Effect::Textures, called(m) + " has a texture of one colour", m.where);
+    else if (texture != kNoTexture)
       miss(Effect::Textures, called(m) + " has a texture and no use for it", m.where);
   }
 
   void normals() {
     for (const Triangle& t : m_scene.triangles) {
-      const Material& m = m_scene.materials[t.material];
+      const Material& m = m_materials[t.material];
       if (t.normal[0] == kNoNormal || !scatters(m) || isNothing(m))
         continue;
       if (!isFlat(m_scene, t))
@@ -148,12 +139,28 @@ private:
       if (isLit(m.emission))
         miss(Effect::AreaLights, called(m) + " emits, but from no triangle that has an area", m.where);
     }
+  }
+
+  /// What shines from infinitely far.
+  void outside() {
     const EnvironmentMap& map = m_scene.environment;
+    const Vec3f& b = m_scene.background;
+    if (map.width > 0 && !hasEnvironment(m_scene))
+      miss(Effect::Environment, fmt::format("environment '{}' is black", map.file.string()), map.where);
+    const bool any = hasEnvironment(m_scene) || !isBlack(b) || !m_scene.directionalLights.empty();
+    if (const auto about = any ? enclosingMaterial(m_scene) : std::nullopt) {
+      const Material& m = m_materials[*about];
+      const std::string because = "nothing outside is seen: the camera is in a closed mesh with " + called(m);
+      if (hasEnvironment(m_scene))
+        miss(Effect::Environment, because, m.where);
+      if (!isBlack(b))
+        miss(Effect::Background, because, m.where);
+      if (!m_scene.directionalLights.empty())
+        miss(Effect::DeltaLights, because, m.where);
+      return;
+    }
     if (hasEnvironment(m_scene))
       on(Effect::Environment, fmt::format("environment '{}'", map.file.string()), map.where);
-    else if (map.width > 0)
-      miss(Effect::Environment, fmt::format("environment '{}' is black", map.file.string()), map.where);
-    const Vec3f& b = m_scene.background;
     if (!isBlack(b))
       on(Effect::Background, fmt::format("background {:g},{:g},{:g}", b.x, b.y, b.z));
   }
@@ -247,6 +254,7 @@ private:
 
   const Scene& m_scene;
   const EstimatorSettings& m_settings;
+  std::vector<Material> m_materials;   ///< as they are in effect
   std::vector<std::size_t> m_firstUse; ///< by material: a triangle that has an area, or kNone
   EffectReasons m_out;
 };

@@ -1,5 +1,7 @@
 #include "device/light_table.h"
 
+#include "device/enclosure.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -106,17 +108,19 @@ LightTable makeLightTable(const Scene& scene, LightStrategy strategy) {
       powers.push_back(power);
     }
   };
+  const bool comesFromOutside = hasEnvironment(scene) || !scene.directionalLights.empty();
+  const bool open = comesFromOutside && !enclosingMaterial(scene);
   if (strategy != LightStrategy::Bsdf) {
     for (const std::uint32_t i : emissiveTriangles(scene)) {
       const Triangle& t = scene.triangles[i];
       add(Kind::Triangle, i, triangleArea(scene, t) * channelSum(scene.materials[t.material].emission));
     }
-    if (hasEnvironment(scene))
+    if (open && hasEnvironment(scene))
       add(Kind::Environment, 0, squaredRadius(scene) * environmentFlux(scene.environment));
   }
   for (std::uint32_t i = 0; i < scene.pointLights.size(); ++i)
     add(Kind::Point, i, 4.0 * channelSum(scene.pointLights[i].intensity));
-  for (std::uint32_t i = 0; i < scene.directionalLights.size(); ++i)
+  for (std::uint32_t i = 0; open && i < scene.directionalLights.size(); ++i)
     add(Kind::Directional, i, squaredRadius(scene) * channelSum(scene.directionalLights[i].irradiance));
   if (powers.empty())
     return table;

@@ -40,7 +40,8 @@ struct LightTable {
   double totalPower = 0.0;    ///< in units of pi, summed over the channels
   [[nodiscard]] double environmentProbability() const;
 };
-/// Lights that can be hit are in it unless the strategy is to find them by BSDF sampling alone.
+/// Lights that can be hit are in it unless the strategy is to find them by BSDF sampling alone; what shines
+/// from outside, unless the scene is closed about the camera.
 LightTable makeLightTable(const Scene& scene, LightStrategy strategy);
 
 } // namespace vkpt

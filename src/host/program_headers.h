@@ -2,7 +2,7 @@
 // What program.inl needs, to be included outside of the program's namespace.
 
 #include "device/camera_frame.h"
-#include "device/device_scene.h"
+#include "device/packed_scene.h"
 #include "film/film.h"
 #include "host/effect_flags.h"
 #include "host/reference.h"

@@ -2,8 +2,8 @@
 // Renders on the host with the device's own estimator: in float, for sanitizers and debuggers, and in double,
 // the oracle. Same random numbers, same paths.
 
-#include "device/device_scene.h"
 #include "device/effects.h"
+#include "device/packed_scene.h"
 #include "film/film.h"
 
 namespace vkpt {

@@ -88,6 +88,8 @@ std::vector<EffectCost> measureEffectCosts(const gpu::Context& context, const Sc
       continue;
     EffectSet changed = effects;
     changed.set(e.effect, !isOn);
+    if (isOn)
+      changed = without(effects, EffectSet::of(e.effect));
     Variant other(context, device, scene, changed, integrator);
     costs.push_back(compare(e.effect, isOn, set, other, frames, settings.turns));
     onMeasured(costs.back());

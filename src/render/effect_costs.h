@@ -2,11 +2,15 @@
 // What each effect costs on a device, measured.
 
 #include "device/effects.h"
-#include "gpu/context.h"
+#include "device/estimator_settings.h"
 
 #include <functional>
 #include <optional>
 #include <vector>
+
+namespace vkpt::gpu {
+class Context;
+}
 
 namespace vkpt {
 

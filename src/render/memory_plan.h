@@ -1,11 +1,16 @@
 #pragma once
 // The device memory that a render takes, against what the device has.
 
-#include "device/device_scene.h"
+#include "device/effects.h"
+#include "device/packed_scene.h"
 
 #include <string>
 #include <string_view>
 #include <vector>
+
+namespace vkpt::gpu {
+class Context;
+}
 
 namespace vkpt {
 

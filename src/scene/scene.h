@@ -3,6 +3,7 @@
 
 #include "core/error.h"
 #include "core/math.h"
+#include "shared/structs.h"
 
 #include <array>
 #include <cstdint>
@@ -12,16 +13,15 @@
 
 namespace vkpt {
 
-/// How a surface scatters. The values are those of `shaders/shared/structs.h`.
+/// How a surface scatters: Diffuse, Phong, ...
+///
+/// Phong: diffuse and a lobe about the mirror direction, energy not conserved (Nori's course). Microfacet:
+/// diffuse under a rough dielectric coat, Nori's `microfacet`. RoughConductor, RoughDielectric: metal and
+/// glass of microfacets.
 enum class BsdfType : std::uint32_t {
-  Diffuse = 0,
-  Mirror = 1,
-  Dielectric = 2,
-  Conductor = 3,
-  Phong = 4,          ///< diffuse and a lobe about the mirror direction, energy not conserved (Nori's course)
-  Microfacet = 5,     ///< diffuse under a rough dielectric coat, Nori's `microfacet`
-  RoughConductor = 6, ///< metal of microfacets
-  RoughDielectric = 7, ///< glass of microfacets
+#define VKPT_ENUMERATOR(Name, Type) Type = shared::kBsdf##Type,
+  VKPT_BSDFS(VKPT_ENUMERATOR)
+#undef VKPT_ENUMERATOR
 };
 
 enum class MicrofacetDistribution : std::uint32_t { Ggx = 0, Beckmann = 1 };

@@ -1,5 +1,6 @@
 #include "selftest/bsdf_probe.h"
 
+#include "device/effective_material.h"
 #include "host/program32.h"
 
 namespace vkpt {

@@ -1,6 +1,6 @@
 #include "bsdf/material_cases.h"
 
-#include "device/device_scene.h"
+#include "device/packed_scene.h"
 
 #include <fmt/format.h>
 

@@ -74,29 +74,6 @@ std::string savePicture(const Film& film, const std::string& name) {
   return stem.string() + ".{exr,png}";
 }
 
-EstimatorSettings bsdfSampling(RouletteMode roulette) {
-  EstimatorSettings s;
-  s.light = LightStrategy::Bsdf;
-  s.roulette = roulette;
-  return s;
-}
-
-EstimatorSettings lightSampling() {
-  EstimatorSettings s;
-  s.light = LightStrategy::Nee;
-  return s;
-}
-
-EstimatorSettings withoutRoulette(EstimatorSettings settings) {
-  settings.rouletteAfter = kUnlimitedBounces - 1;
-  return settings;
-}
-
-EstimatorSettings withBounces(EstimatorSettings settings, std::uint32_t bounces) {
-  settings.maxBounces = bounces;
-  return settings;
-}
-
 EffectSet everyEffect() { return EffectSet::all(); }
 
 void RenderTest::SetUp() { m_messagesBefore = sharedContext().validationMessages(); }

@@ -3,6 +3,7 @@
 
 #include "film/film.h"
 #include "render/render_loop.h"
+#include "scenes/made_scenes.h"
 
 #include <gtest/gtest.h>
 
@@ -61,11 +62,6 @@ std::string currentTestName();
 /// Writes the film as EXR and PNG into a folder named after the running test; returns where.
 std::string savePicture(const Film& film, const std::string& name);
 
-EstimatorSettings bsdfSampling(RouletteMode roulette = RouletteMode::Throughput);
-EstimatorSettings lightSampling();
-/// Roulette never ends a path within any number of bounces that a test's scene allows.
-EstimatorSettings withoutRoulette(EstimatorSettings settings);
-EstimatorSettings withBounces(EstimatorSettings settings, std::uint32_t bounces);
 /// Every effect there is, whatever the scene calls for.
 EffectSet everyEffect();
 

@@ -1,6 +1,7 @@
 // Effects by effective value: each rule with its near miss.
-#include "device/device_scene.h"
-#include "scenes/scene_extras.h"
+#include "device/effective_material.h"
+#include "device/effects.h"
+#include "scenes/made_scenes.h"
 
 #include <gtest/gtest.h>
 
@@ -148,6 +149,48 @@ TEST(Effects, ATextureCountsWhereItTintsWhatIsScattered) {
   EXPECT_FALSE(effectsIn(texturedRoom(phong(Vec3f(0.0F), Vec3f(0.5F), 9.0F))).has(Effect::Textures));
 }
 
+TEST(Effects, ATextureOfOneColourIsThatColour) {
+  const Vec3f colour(0.2F, 0.4F, 0.0F);
+  const auto sceneWith = [](const std::vector<Vec3f>& texels, const Vec3f& kd) {
+    Scene scene = roomWith(diffuse(kd));
+    textureLastQuad(scene, textureOf(2, 2, texels), {});
+    return scene;
+  };
+  const Scene plain = sceneWith({colour, colour, colour, colour}, Vec3f(0.5F));
+  EXPECT_EQ(effectsIn(plain), effectsIn(room().build()));
+  EXPECT_EQ(effectiveMaterials(plain).back().reflectance, 0.5F * colour);
+  EXPECT_NE(reasonFor(plain, Effect::Textures).because.find("a texture of one colour"), std::string::npos);
+  const Vec3f nearly = colour + Vec3f(0.0F, 0.0F, 1e-6F);
+  EXPECT_TRUE(effectsIn(sceneWith({colour, colour, colour, nearly}, Vec3f(0.5F))).has(Effect::Textures));
+  const std::vector<Vec3f> black(4, Vec3f(0.0F));
+  Scene mirrored = roomWith(mirror(Vec3f(0.5F)));
+  textureLastQuad(mirrored, textureOf(2, 2, black), {});
+  EXPECT_EQ(effectsIn(mirrored), effectsIn(room().build())) << "a black mirror";
+}
+
+TEST(Effects, FacetsHaveTheDistributionsThatOccur) {
+  const auto ggx = MicrofacetDistribution::Ggx;
+  const auto beckmann = MicrofacetDistribution::Beckmann;
+  const auto metalOf = [](MicrofacetDistribution d) { return roughMetal(Vec3f(0.2F), Vec3f(3.0F), 0.3F, d); };
+  const auto both = [](const EffectSet& set) {
+    return std::pair(set.has(Effect::Ggx), set.has(Effect::Beckmann));
+  };
+  EXPECT_EQ(both(effectsIn(roomWith(metalOf(ggx)))), std::pair(true, false));
+  EXPECT_EQ(both(effectsIn(roomWith(metalOf(beckmann)))), std::pair(false, true));
+  EXPECT_EQ(both(effectsIn(roomWith(roughGlass(1.5F, 0.3F, beckmann)))), std::pair(false, true));
+  EXPECT_EQ(both(effectsIn(roomWith(microfacet(Vec3f(0.2F), 0.3F, 1.5F)))), std::pair(false, false))
+      << "Nori's has one alone";
+  EXPECT_EQ(both(effectsIn(roomWith(roughMetal(Vec3f(0.2F), Vec3f(3.0F), 0.0F, beckmann)))),
+            std::pair(false, false))
+      << "as smooth as can be";
+  const Scene mixed =
+      room()
+          .quad({-1, 0, -1}, {1, 0, -1}, {1, 1, -1}, {-1, 1, -1}, metalOf(ggx))
+          .quad({-1, 0, 1}, {1, 0, 1}, {1, 1, 1}, {-1, 1, 1}, roughGlass(1.5F, 0.3F, beckmann))
+          .build();
+  EXPECT_EQ(both(effectsIn(mixed)), std::pair(true, true));
+}
+
 TEST(Effects, OneSidedIsWhatScattersOnOneSideOnly) {
   const auto oneSided = [](Material m) {
     m.twoSided = false;
@@ -208,6 +251,10 @@ TEST(EffectReasons, NameTheObjectAndItsLine) {
   m.bsdf = BsdfType::Phong;
   EXPECT_EQ(reasonFor(roomWith(m), Effect::Phong).text(),
             "material 'silver' has the effect of diffuse (room.mtl:12)");
+}
+
+TEST(Effects, EachIsCalledForBySomething) {
+  EXPECT_EQ(detectEffects(everything(), everyOption()), EffectSet::all());
 }
 
 TEST(EffectReasons, ComeFromTheWalkThatMakesTheSet) {

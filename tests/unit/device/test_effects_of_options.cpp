@@ -1,6 +1,6 @@
 // Effects that the options call for, and what depends on what.
 #include "device/effects.h"
-#include "scenes/scene_extras.h"
+#include "scenes/made_scenes.h"
 
 #include <gtest/gtest.h>
 
@@ -77,18 +77,24 @@ TEST(EffectsOfOptions, KindsAndFilters) {
 
 TEST(LeavingOut, TakesAwayWhatMeansNothingWithoutIt) {
   const EffectSet set = with(misSampling());
-  EffectSet sampling;
-  sampling.set(Effect::LightSampling);
-  const EffectSet rest = without(set, sampling);
+  const EffectSet rest = without(set, EffectSet::of(Effect::LightSampling));
   for (const Effect e : kSampling) {
     EXPECT_TRUE(set.has(e)) << effectName(e);
     EXPECT_FALSE(rest.has(e)) << effectName(e);
   }
   EXPECT_FALSE(rest.has(Effect::Mis)) << "else emission would be weighed against samples that nobody takes";
   EXPECT_TRUE(rest.has(Effect::AreaLights));
-  EffectSet mis;
-  mis.set(Effect::Mis);
-  EXPECT_TRUE(without(set, mis).has(Effect::LightSampling));
+  EXPECT_TRUE(without(set, EffectSet::of(Effect::Mis)).has(Effect::LightSampling));
+}
+
+TEST(LeavingOut, FacetsWithoutADistributionAreNone) {
+  EffectSet both;
+  for (const Effect e : {Effect::RoughMetal, Effect::Ggx, Effect::Beckmann})
+    both.set(e);
+  EXPECT_TRUE(without(both, EffectSet::of(Effect::Ggx)).has(Effect::RoughMetal)) << "the other one is there";
+  EffectSet one = both;
+  one.set(Effect::Beckmann, false);
+  EXPECT_EQ(without(one, EffectSet::of(Effect::Ggx)), EffectSet());
 }
 
 } // namespace

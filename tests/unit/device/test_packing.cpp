@@ -1,10 +1,11 @@
 // What no effect reads is not packed.
-#include "device/device_scene.h"
+#include "device/packed_scene.h"
 #include "scene/load.h"
-#include "scenes/scene_extras.h"
+#include "scenes/made_scenes.h"
 
 #include <gtest/gtest.h>
 
+#include <bit>
 #include <set>
 
 namespace vkpt::test {
@@ -59,6 +60,19 @@ TEST(Packing, ATextureThatNobodyReadsHasNoPixels) {
   EXPECT_EQ(packed.uvs.size(), scene.triangles.size() * kTexelsPerUv);
   EXPECT_EQ(packed.materials[scene.triangles.back().material * kTexelsPerMaterial + 4][3], kNoTexture)
       << "else pixels that are not there would be read";
+}
+
+TEST(Packing, ATextureOfOneColourIsNotPacked) {
+  Scene scene = textured();
+  scene.materials[scene.triangles.front().material].texture = 0;
+  const float albedo = scene.materials[scene.triangles.front().material].reflectance.x;
+  for (const EffectSet& effects : {detectEffects(scene, {}), EffectSet::all()}) {
+    const PackedScene packed = packScene(scene, {}, effects, 1);
+    const Texel* material = &packed.materials[scene.triangles.front().material * kTexelsPerMaterial];
+    EXPECT_EQ(material[4][3], kNoTexture);
+    EXPECT_EQ(std::bit_cast<float>(material[0][0]), 0.5F * albedo) << "its four pixels are 0.5";
+  }
+  EXPECT_EQ(packScene(scene, {}, 1).uvs.size(), kTexelsPerUv) << "a dummy";
 }
 
 TEST(Packing, AllEffectsHaveWhatTheyRead) {

@@ -206,11 +206,12 @@ Incidence incidence(test::Random& random) {
 
 /// Where light goes at a smooth surface behind which the index is m.
 Vec3 throughGlass(Stage& stage, const Incidence& at, Float m, bool front, uint bits) {
-  Library::Material glass;
-  glass.bsdf = kBsdfDielectric;
-  glass.ior = m;
-  const auto branches = stage.lib.dielectricBranches(glass, at.wo, at.n, at.n, front);
-  return stage.lib.sampleDielectric(branches, stage.lib.toUnit(bits)).wi;
+  Library::Surface glass{};
+  glass.m.bsdf = kBsdfDielectric;
+  glass.m.ior = m;
+  glass.n = glass.ng = at.n;
+  glass.front = front;
+  return stage.lib.sampleDielectric(glass, at.wo, Vec3(stage.lib.toUnit(bits))).wi;
 }
 
 TEST(SUITE(Glass), DirectionsObeySnell) {

@@ -1,7 +1,7 @@
 #pragma once
 // Scenes of bare triangles for the library's host programs.
 
-#include "device/device_scene.h"
+#include "device/packed_scene.h"
 
 #include <array>
 #include <span>
