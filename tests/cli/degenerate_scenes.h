@@ -12,9 +12,11 @@ namespace vkpt::test {
 /// Renders the scene at 32 x 32 under a white sky, in a wall of time that is far above what it takes.
 inline CommandResult renderObj(const WorkFolder& folder, const std::string& obj) {
   folder.write("x.obj", obj);
+  CommandSettings settings{folder.path(), {}};
+  settings.patience = 900.0;
   return vkpt({"x.obj", "--frames", "2", "--size", "32x32", "--background", kWhite, "--max-bounces", "1",
                "--stats", "s.json", "-o", "x.exr"},
-              {.folder = folder.path(), .patience = 900.0});
+              settings);
 }
 
 inline float centreOf(const WorkFolder& folder) {

@@ -35,6 +35,12 @@ Loaded load(std::initializer_list<fs::path> files) {
   return loaded;
 }
 
+std::string otherSquare(std::string_view text) {
+  std::string other(text);
+  constexpr std::string_view kThird = "v 1 1 0";
+  return other.replace(other.find(kThird), kThird.size(), "v 1 1 1");
+}
+
 Loaded loadText(std::string_view obj, std::string_view mtl) {
   const TempFolder folder;
   if (!mtl.empty()) {

@@ -53,5 +53,7 @@ std::vector<Triangle> trianglesOf(const Scene& scene, std::string_view materialN
 
 /// A unit square in the plane z = 0 of two triangles, front towards +z; line 5 is its only face.
 inline constexpr std::string_view kSquare = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n";
+/// A text with kSquare, whose third corner is lifted: another square beside it is no twin.
+std::string otherSquare(std::string_view text);
 
 } // namespace vkpt::test

@@ -154,7 +154,7 @@ TEST(Colours, OneNumberIsGrey) { EXPECT_EQ(materialOf("Kd .25\nillum 1\n").refle
 TEST(Colours, AbsentKdIsTheFrameworksGrey) { EXPECT_EQ(materialOf("illum 1\n").reflectance, Vec3f(0.8F)); }
 
 TEST(Keys, IgnoredOnesWarnOncePerKeyUnlessNeutral) {
-  const std::string two = "mtllib scene.mtl\nusemtl a\n" + std::string(kSquare) + "usemtl b\nf 1 2 3\n";
+  const std::string two = "mtllib scene.mtl\nusemtl a\n" + std::string(kSquare) + "usemtl b\nf 1 2 4\n";
   const auto [scene, report] =
       loadText(two, "newmtl a\nd 1.0\nTr 0\nTf 1 1 1\nPr 0\nmap_Ks a.png\nd 0.5\nglow 3\n"
                     "newmtl b\nmap_Ks b.png\nd .25\nglow 4\nnewmtl unused\nmap_bump c.png\n");
@@ -188,7 +188,7 @@ TEST(Libraries, AMissingOneGivesGreyAndAWarningThatNamesIt) {
 
 TEST(Libraries, AnUnknownMaterialGivesGreyAndOneWarningWithTheNearest) {
   const auto [scene, report] = loadText("mtllib scene.mtl\nusemtl whit\n" + std::string(kSquare) +
-                                            "usemtl white\nf 1 2 3\nusemtl whit\nf 1 2 4\n",
+                                            "usemtl white\nf 2 3 4\nusemtl whit\nf 1 2 4\n",
                                         "newmtl white\nKd .5 .5 .5\n");
   EXPECT_EQ(trianglesOf(scene, "default").size(), 3U);
   EXPECT_EQ(trianglesOf(scene, "white").size(), 1U);
@@ -222,7 +222,7 @@ TEST(Libraries, NamesMayHoldBlanksAndBackslashes) {
   folder.write("two.mtl", "newmtl two\nKd 0 .5 0\n");
   const auto [scene, report] =
       load({folder.write("scene.obj", "mtllib sub\\my mats.mtl\nmtllib none.mtl two.mtl\nusemtl dark red\n" +
-                                          std::string(kSquare) + "usemtl two\nf 1 2 3\n")});
+                                          std::string(kSquare) + "usemtl two\nf 1 2 4\n")});
   EXPECT_EQ(materialNamed(scene, "dark red").reflectance, Vec3f(0.5F, 0, 0));
   EXPECT_EQ(materialNamed(scene, "two").reflectance, Vec3f(0, 0.5F, 0));
   EXPECT_EQ(report.warnings.size(), 1U);
@@ -231,7 +231,7 @@ TEST(Libraries, NamesMayHoldBlanksAndBackslashes) {
 TEST(Libraries, TwoFilesShareTheirMaterials) {
   const TempFolder folder;
   folder.write("scene.mtl", "newmtl m\nKd .5 0 0\nKs .5 1 1\nillum 2\n");
-  const auto [scene, report] = load({folder.write("a.obj", kUse), folder.write("b.obj", kUse)});
+  const auto [scene, report] = load({folder.write("a.obj", kUse), folder.write("b.obj", otherSquare(kUse))});
   EXPECT_EQ(scene.triangles.size(), 4U);
   EXPECT_EQ(scene.materials.size(), 1U);
   EXPECT_EQ(report.warnings.size(), 1U) << "Ks without Ns";

@@ -134,7 +134,7 @@ TEST(NoriBsdf, AlbedosAboveOneAreKeptWithOneWarningAMesh) {
       noriMesh("square.obj", R"(<bsdf type="diffuse"><color name="albedo" value="1.3 .4 1.5"/></bsdf>)");
   const auto [scene, report] = folder.load(noriScene(mesh + "\n" + mesh, true, false));
   EXPECT_EQ(scene.materials.at(0).reflectance, Vec3f(1.3F, 0.4F, 1.5F));
-  ASSERT_EQ(report.warnings.size(), 2U);
+  EXPECT_EQ(countContaining(report.warnings, "is above 1"), 2U);
   EXPECT_TRUE(anyContains(report.warnings, "scene.xml:3:83: albedo 1.3 0.4 1.5 is above 1"));
 }
 

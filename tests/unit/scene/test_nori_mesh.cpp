@@ -113,8 +113,8 @@ TEST(NoriMesh, CornersThatChangePlacesKeepTheirNormals) {
 
 TEST(NoriMesh, ATriangleThatMissesANormalHasNone) {
   const NoriFolder folder;
-  folder.write("some.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0 -1\nvn 0 0 0\n"
-                           "f 1//1 2//1 3\nf 1//1 2//2 3//1\nf 1//1 2//1 3//1\n");
+  folder.write("some.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nvn 0 0 -1\nvn 0 0 0\n"
+                           "f 1//1 2//1 3\nf 1//1 2//2 4//1\nf 1//1 2//1 3//1\n");
   const Scene scene = folder.load(noriScene(noriMesh("some.obj"), true, false)).scene;
   ASSERT_EQ(scene.triangles.size(), 3U);
   for (std::size_t i = 0; i < 2; ++i) {

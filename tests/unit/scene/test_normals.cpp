@@ -73,7 +73,7 @@ TEST(SmoothNormals, DoNotDependOnTheUnit) {
 TEST(FileNormals, ZeroAndNanFallBackToTheGeometricOne) {
   for (const char* bad : {"vn 0 0 0", "vn nan 0 1", "vn 1 inf 0", "vn 0 0 1e999"}) {
     const auto [scene, report] =
-        loadText(std::string(kSquare) + "vn 0 0 1\n" + bad + "\nf 1//1 2//1 3//1\nf 1//1 2//2 3//1\n");
+        loadText(std::string(kSquare) + "vn 0 0 1\n" + bad + "\nf 1//1 2//1 4//1\nf 2//1 3//2 4//1\n");
     ASSERT_EQ(scene.triangles.size(), 4U);
     EXPECT_NE(scene.triangles[2].normal[0], kNoNormal) << bad;
     EXPECT_EQ(scene.triangles[3].normal[0], kNoNormal) << bad;

@@ -51,7 +51,7 @@ TEST(Obj, LineEndsAndAMissingLastOneChangeNothing) {
 TEST(Obj, CornerFormsMayBeMixed) {
   const auto [scene, report] = loadText(
       "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvn 0 0 2\nvn 0 1 1\n"
-      "f 1//1 2//1 3//2\nf 1/1/1 2/1/-1 3/1/2\nf 1/1 3/1 4/1\nf 1 3 4\nf 1//1 3 4/1/1\nf 1/ 2/ 3/\n");
+      "f 1//1 2//1 3//2\nf 1/1/1 2/1/-1 4/1/2\nf 1/1 3/1 4/1\nf 2 3 4\nf 3//1 2 1/1/1\nf 4/ 2/ 1/\n");
   ASSERT_EQ(scene.triangles.size(), 6U);
   const auto normal = [&](std::size_t t, std::size_t corner) {
     return scene.normals.at(scene.triangles[t].normal[corner]);
@@ -113,8 +113,9 @@ TEST(Obj, ExactDuplicatesAreDroppedAndCounted) {
   EXPECT_EQ(scene.triangles.size(), 2U);
   EXPECT_EQ(report.droppedDuplicates, 3U);
   ASSERT_EQ(report.warnings.size(), 1U);
-  EXPECT_EQ(report.warnings[0],
-            "scene.obj:7: 3 triangles dropped for being exactly on an earlier one, the first here");
+  EXPECT_TRUE(report.warnings[0].ends_with(
+      "scene.obj:7: 3 triangles dropped for being exactly on an earlier one, the first here"))
+      << report.warnings[0];
 }
 
 TEST(Obj, OfTwinsOfDifferentMaterialTheFirstIsKept) {

@@ -80,7 +80,7 @@ TEST(Builtin, ErrorsAndMaterialsNameTheBuiltInFile) {
 TEST(SeveralFiles, AreOneScene) {
   const TempFolder folder;
   const auto [scene, report] =
-      load({folder.write("a.obj", kSquare), "cornell", folder.write("sub/b.obj", kSquare)});
+      load({folder.write("a.obj", kSquare), "cornell", folder.write("sub/b.obj", otherSquare(kSquare))});
   EXPECT_EQ(scene.triangles.size(), 36U);
   EXPECT_EQ(scene.name, "a+CornellBox+CornellBlocks+b");
   // Floats about the origin: coordinates below 16 are rounded by less than 1e-6.

@@ -96,7 +96,7 @@ TEST_F(Textures, CoordinatesFollowTheCorners) {
 
 TEST_F(Textures, CoordinatesAreKeptOnlyUnderATexture) {
   const auto [scene, report] = loadMapped("map_Kd a.png\nnewmtl plain\nKd .5 .5 .5\n",
-                                          std::string(kMapped) + "usemtl plain\nf 1/2 2/3 3/4\nf 1/1 3 4\n");
+                                          std::string(kMapped) + "usemtl plain\nf 1/2 2/3 4/4\nf 2/1 3 4\n");
   ASSERT_EQ(scene.triangles.size(), 4U);
   EXPECT_EQ(scene.uvs.size(), 4U);
   const std::array<std::uint32_t, 3> none{kNoUv, kNoUv, kNoUv};
@@ -108,10 +108,10 @@ TEST_F(Textures, CoordinatesAreKeptOnlyUnderATexture) {
 }
 
 TEST_F(Textures, TrianglesWithoutCoordinatesAreOneWarningAFile) {
-  m_folder.write("other.obj", "mtllib scene.mtl\nusemtl m\n" + std::string(kSquare));
+  m_folder.write("other.obj", "mtllib scene.mtl\nusemtl m\n" + otherSquare(kSquare));
   m_folder.write("scene.mtl", "newmtl m\nmap_Kd a.png\n");
   const auto [scene, report] =
-      load({m_folder.write("scene.obj", std::string(kMapped) + "f 1/1 2/2 3\nf 1 2 4\n"),
+      load({m_folder.write("scene.obj", std::string(kMapped) + "f 2/2 3/3 4\nf 1 2 4\n"),
             m_folder.path() / "other.obj"});
   ASSERT_EQ(report.warnings.size(), 2U);
   EXPECT_TRUE(anyContains(report.warnings,
@@ -192,8 +192,9 @@ TEST_F(Textures, OfOneFileAreOneTexture) {
   const auto [scene, report] =
       loadMapped("map_Kd a.png\nnewmtl b\nmap_Kd b.png\nnewmtl d\nKd .1 .1 .1\nmap_Kd ./sub/../a.png\n"
                  "newmtl f\nmap_Kd none.png\n",
-                 std::string(kMapped) + "mtllib sub/c.mtl\nusemtl b\nf 1/1 2/2 3/3\nusemtl c\nf 1/1 2/2 3/3\n"
-                                        "usemtl d\nf 1/1 2/2 3/3\nusemtl e\nf 1 2 3\nusemtl f\nf 1 2 3\n");
+                 std::string(kMapped) + "mtllib sub/c.mtl\nv 0 2 0\nv 0 3 0\nv 0 4 0\nv 0 5 0\nv 0 6 0\n"
+                                        "usemtl b\nf 1/1 2/2 5/3\nusemtl c\nf 1/1 2/2 6/3\n"
+                                        "usemtl d\nf 1/1 2/2 7/3\nusemtl e\nf 1 2 8\nusemtl f\nf 1 2 9\n");
   EXPECT_EQ(scene.textures.size(), 2U);
   const std::uint32_t a = materialNamed(scene, "m").texture;
   EXPECT_EQ(materialNamed(scene, "c").texture, a) << "relative to its own MTL file";
@@ -216,7 +217,7 @@ TEST_F(Textures, NamesMayHoldBlanksBackslashesAndHashes) {
 TEST_F(Textures, OptionsWarnOncePerOptionUnlessNeutral) {
   const auto [scene, report] =
       loadMapped("map_Kd -s 2 2 2 -o 0 0 0 -clamp on a.png\nnewmtl b\nmap_Kd -s 3 a.png\nnewmtl c\nmap_Kd\n",
-                 std::string(kMapped) + "usemtl b\nf 1/1 2/2 3/3\nusemtl c\nf 1 2 3\n");
+                 std::string(kMapped) + "usemtl b\nf 1/1 2/2 4/4\nusemtl c\nf 2 3 4\n");
   EXPECT_EQ(materialNamed(scene, "m").texture, 0U);
   EXPECT_EQ(materialNamed(scene, "b").texture, 0U);
   EXPECT_EQ(materialNamed(scene, "c").texture, kNoTexture);
