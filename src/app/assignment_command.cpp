@@ -71,6 +71,8 @@ PictureWork preparePicture(const AssignmentOptions& o, const AssignmentPicture& 
     words.insert(words.end(), {"--frames", fmt::format("{:.0f}", samples)});
   } else {
     words.insert(words.end(), {"--time", fmt::format("{}", qualityOf(o) * kEqualSeconds)});
+    if (o.quick) // else the time is over within the first unit of work, and some pixels have nothing
+      words.insert(words.end(), {"--batch", "1"});
   }
   const std::string file = (o.folder / picture.name).string();
   words.insert(words.end(), {"--output", file + ".png", "--output", file + ".exr"});

@@ -12,6 +12,8 @@
 namespace vkpt {
 namespace {
 
+constexpr double kHopeless = 10.0; // a relative error beyond which figures tell nothing
+
 constexpr const char* kStyle = R"(
 .plate figure img { width: 19rem; } .plate figcaption { max-width: 19rem; }
 .annotated { width: 100%; max-width: 46rem; }
@@ -40,7 +42,10 @@ const RunReport* AssignmentBook::find(std::string_view name) const {
 
 std::string AssignmentBook::samples(std::string_view name) const {
   const RunReport* r = find(name);
-  return r != nullptr ? fmt::format("{:.6g}", r->result.frames) : "–";
+  if (r == nullptr)
+    return "–";
+  const double frames = r->result.frames;
+  return frames == std::floor(frames) ? fmt::format("{:.0f}", frames) : fmt::format("{:.1f}", frames);
 }
 
 std::string AssignmentBook::seconds(std::string_view name) const {
@@ -52,7 +57,10 @@ std::string AssignmentBook::error(std::string_view name) const {
   const RunReport* r = find(name);
   if (r == nullptr || !std::isfinite(r->film.relativeError))
     return "–";
-  return fmt::format("{:.3g} %{}", r->film.relativeError * 100.0, tailWarning(*r).empty() ? "" : "†");
+  const char* mark = tailWarning(*r).empty() ? "" : "†";
+  if (r->film.relativeError > kHopeless)
+    return fmt::format("&gt; {:.0f} %{}", kHopeless * 100.0, mark);
+  return fmt::format("{:.3g} %{}", r->film.relativeError * 100.0, mark);
 }
 
 std::string AssignmentBook::figures(std::initializer_list<std::string_view> names) const {
