@@ -13,10 +13,12 @@ build libtinyobjloader-dev libpugixml-dev               # scenes: OBJ with MTL, 
 build libstb-dev libopenexr-dev                         # images: PNG and HDR, EXR
 build libcli11-dev nlohmann-json3-dev                   # command line, --stats
 build gnuplot-nox                                       # the plots of vkpt study
+build libglfw3-dev libimgui-dev                         # the preview: window and panel
 build libboost-dev                                      # Boost.Math: distributions (headers only)
 test  libgtest-dev vulkan-validationlayers              # test framework; every device test is validated
 test  clang-format                                      # the formatting test
 test  chromium                                          # opens the reports
+test  xvfb xdotool                                      # a screen and a user for the preview
 bench libbenchmark-dev libembree-dev                    # timing, and the yardstick
 '
 

@@ -11,6 +11,14 @@
 #include "device_memory.glsl"
 #include "lib/library.glsl"
 
+#ifdef VKPT_PRIMARY // another build: what the camera's rays meet, in the same film by the same way
+layout(constant_id = 67) const uint kPrimaryView = kPrimaryBaseColour; // kConstantPrimaryView
+#include "lib/primary.glsl"
+#define VKPT_ESTIMATE viewPrimary
+#else
+#define VKPT_ESTIMATE Li
+#endif
+
 layout(local_size_x = 64) in; // kBlockPixels
 
 // What a lane works on: one pixel's samples of this batch.
@@ -113,7 +121,7 @@ void main() {
     do {
       g_sample = path.sampleLow;
       g_bounce = path.bounce;
-      if (!Li(path)) {
+      if (!VKPT_ESTIMATE(path)) {
         finishSample(work, sampleValue(path));
         path = nextPath(work);
       }

@@ -46,6 +46,10 @@ VKPT_CONSTANT uint kConstantStackDepth = 64u;
 VKPT_CONSTANT uint kConstantRouletteMode = 65u;
 
 VKPT_CONSTANT uint kConstantFilterShape = 66u;
+VKPT_CONSTANT uint kConstantPrimaryView = 67u; // of path.comp built with VKPT_PRIMARY
+
+VKPT_CONSTANT uint kPrimaryBaseColour = 0u;
+VKPT_CONSTANT uint kPrimaryNormals = 1u;
 
 VKPT_CONSTANT uint kRouletteAlbedo = 0u;
 VKPT_CONSTANT uint kRouletteThroughput = 1u;
@@ -203,6 +207,23 @@ struct Dispatch {
   uint packs;       // 1: a subgroup stops when a quarter of its lanes have run out of work
   uint listTurn;    // 0 or 1: the list this dispatch writes; it reads the other one
 };
+
+// --- drawing the film into a window: display.comp ---
+VKPT_CONSTANT uint kDisplayFilm = 0u;   // storage[kFilmPlanes]
+VKPT_CONSTANT uint kDisplayPixels = 1u; // storage: the picture, 8 bits a channel, a uint a pixel
+
+struct DisplayJob { // push constants
+  uint filmWidth;
+  uint filmHeight;
+  uint width; // of the picture; a pixel of the film is stretched over it
+  uint height;
+  uint tonemap; // lib/display.glsl
+  uint redLast; // 1: bytes B G R A, 0: R G B A
+  uint shows;   // kShowsMean, ...
+  float scale;  // of radiance
+};
+VKPT_CONSTANT uint kShowsMean = 0u;
+VKPT_CONSTANT uint kShowsStandardError = 1u;
 
 #ifdef __cplusplus
 } // namespace vkpt::shared

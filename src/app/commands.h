@@ -15,5 +15,7 @@ ExitCode runListScenes();
 ExitCode runCompare(const std::vector<std::string>& arguments);
 ExitCode runAssignment(const std::vector<std::string>& arguments);
 ExitCode runStudy(const std::vector<std::string>& arguments);
+/// Becomes the preview, a program of its own beside this one: returns only by an error.
+ExitCode runView(const std::vector<std::string>& arguments);
 
 } // namespace vkpt

@@ -12,15 +12,6 @@
 namespace vkpt {
 namespace {
 
-double horizontalFov(const Scene& scene) {
-  const Camera& c = scene.camera;
-  if (c.fovAxis == Camera::FovAxis::Horizontal)
-    return c.fovDegrees;
-  constexpr double kDegree = std::numbers::pi / 180.0;
-  const double aspect = static_cast<double>(scene.width) / static_cast<double>(scene.height);
-  return 2.0 * std::atan(std::tan(0.5 * c.fovDegrees * kDegree) * aspect) / kDegree;
-}
-
 std::string kindList(std::uint32_t kinds) {
   std::vector<std::string_view> names;
   for (std::uint32_t i = 0; i < kPathKindCount; ++i) {
@@ -37,6 +28,13 @@ std::string rouletteText(const EstimatorSettings& e) {
 }
 
 } // namespace
+
+double horizontalFov(const Camera& c, double aspect) {
+  if (c.fovAxis == Camera::FovAxis::Horizontal)
+    return c.fovDegrees;
+  constexpr double kDegree = std::numbers::pi / 180.0;
+  return 2.0 * std::atan(std::tan(0.5 * c.fovDegrees * kDegree) * aspect) / kDegree;
+}
 
 std::string_view pathKindName(PathKind kind) { return nameOf(kKindNames, kind); }
 
@@ -103,7 +101,7 @@ std::vector<std::string> describeOptions(const RenderOptions& o, const RenderJob
     say("--output {}", path.string());
   say("--exposure {} --tonemap {}", o.display.exposureStops, nameOf(kTonemapNames, o.display.tonemap));
   say("--look-at {},{} --up {} --fov {:g}", vector(scene.camera.eye), vector(scene.camera.target),
-      vector(scene.camera.up), horizontalFov(scene));
+      vector(scene.camera.up), horizontalFov(scene.camera, static_cast<double>(scene.width) / scene.height));
   say("--light {} --max-bounces {}", nameOf(kLightNames, e.light),
       e.maxBounces == kUnlimitedBounces ? "inf" : std::to_string(e.maxBounces));
   say("--light-samples {} --split {} --paths {}", e.lightSamples, e.splitDepth, kindList(e.pathKinds));

@@ -11,6 +11,9 @@ std::string_view pathKindName(PathKind kind);
 /// The filter that an option names, with the frameworks' defaults for its parameters.
 PixelFilter namedFilter(PixelFilter::Shape shape);
 
+/// The horizontal field of view for an image of this aspect, width over height; degrees.
+double horizontalFov(const Camera& camera, double aspect);
+
 /// What is rendered: an option comes before what the scene's file says, that before the default. Termination
 /// with probability 1 becomes a limit on bounces.
 EstimatorSettings estimatorFor(const RenderOptions& options, const Scene& scene);

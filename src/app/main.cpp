@@ -1,10 +1,8 @@
 // The command: parses the options and hands over to one command. runRender() leads to the render loop.
 
 #include "app/commands.h"
+#include "app/run_program.h"
 
-#include <spdlog/spdlog.h>
-
-#include <exception>
 #include <string>
 #include <vector>
 
@@ -18,6 +16,8 @@ vkpt::ExitCode run(const std::vector<std::string>& arguments) {
     return vkpt::runAssignment({arguments.begin() + 1, arguments.end()});
   if (!arguments.empty() && arguments.front() == "study")
     return vkpt::runStudy({arguments.begin() + 1, arguments.end()});
+  if (!arguments.empty() && arguments.front() == "view")
+    return vkpt::runView({arguments.begin() + 1, arguments.end()});
   const vkpt::CommandLine line = vkpt::parseCommandLine(arguments);
   vkpt::setUpLog(line.render.log);
   switch (line.command) {
@@ -41,18 +41,4 @@ vkpt::ExitCode run(const std::vector<std::string>& arguments) {
 
 } // namespace
 
-int main(int argc, char** argv) {
-  vkpt::setUpLog(vkpt::LogLevel::Normal);
-  try {
-    return static_cast<int>(run({argv + 1, argv + argc}));
-  } catch (const vkpt::Error& e) {
-    spdlog::error("{}", e.what());
-    return static_cast<int>(e.code());
-  } catch (const std::bad_alloc&) {
-    spdlog::error("out of memory; a smaller --size or scene may fit");
-    return static_cast<int>(vkpt::ExitCode::Scene);
-  } catch (const std::exception& e) {
-    spdlog::error("{}", e.what());
-    return static_cast<int>(vkpt::ExitCode::Device);
-  }
-}
+int main(int argc, char** argv) { return vkpt::runProgram(argc, argv, run); }

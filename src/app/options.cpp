@@ -16,6 +16,7 @@ namespace {
 constexpr const char* kUsage =
     "vkpt renders scenes by path tracing in Vulkan compute, on a GPU or in software.\n"
     "Usage: vkpt [SCENE...] [options]     render; without SCENE the built-in Cornell box\n"
+    "       vkpt view [SCENE...]          a progressive preview in a window; see vkpt view --help\n"
     "       vkpt explain [SCENE...]       which effects are compiled in, because of what, and what they "
     "take\n"
     "       vkpt devices                  the Vulkan devices, and which one would be used\n"

@@ -12,13 +12,15 @@
 namespace vkpt {
 namespace {
 
-RenderJob withDefaults(RenderJob job, const Scene& scene) {
-  if (!job.frames && !job.seconds && !job.targetError)
+RenderJob jobOf(const RenderOptions& o, const Scene& scene) {
+  RenderJob job = o.job;
+  if (!o.endless && !job.frames && !job.seconds && !job.targetError)
     job.frames = static_cast<std::uint64_t>(scene.defaultFrames);
   return job;
 }
 
-/// What is known of a run before its device is.
+} // namespace
+
 RunReport reportOf(const RenderOptions& o, const PreparedRun& p) {
   RunReport report;
   report.scene = p.scene.name;
@@ -35,14 +37,24 @@ RunReport reportOf(const RenderOptions& o, const PreparedRun& p) {
   return report;
 }
 
-} // namespace
+void addFilm(RunReport& report, const Integrator& integrator, const Film& film) {
+  report.width = film.width;
+  report.height = film.height;
+  report.seconds.render = report.result.seconds;
+  report.counters = integrator.counters();
+  report.faults = integrator.faults();
+  report.film = filmStatistics(film);
+  report.tail = estimateTail(film);
+  if (report.counters.faults() > 0 && report.result.stop != StopReason::User)
+    report.result.stop = StopReason::Fault;
+}
 
 PreparedRun prepareRun(const RenderOptions& o) {
   PreparedRun p;
   const Stopwatch watch;
   p.scene = loadSceneFor(o, p.sceneReport);
   checkOutputSizes(o, p.scene.width, p.scene.height);
-  p.job = withDefaults(o.job, p.scene);
+  p.job = jobOf(o, p.scene);
   p.estimator = estimatorFor(o, p.scene);
   for (const auto& line : describeOptions(o, p.job, p.scene, p.estimator))
     spdlog::debug("{}", line);
@@ -69,14 +81,8 @@ FinishedRun renderRun(const RenderOptions& o, const PreparedRun& p, const gpu::C
   report.seconds.compile = watch.restart();
 
   report.result = renderUntil(integrator, run.film, p.job, observer);
-  report.seconds.render = report.result.seconds;
-  report.counters = integrator.counters();
-  report.faults = integrator.faults();
-  report.film = filmStatistics(run.film);
-  report.tail = estimateTail(run.film);
   report.deviceBytes = deviceScene.bytes() + integrator.filmBytes();
-  if (report.counters.faults() > 0 && report.result.stop != StopReason::User)
-    report.result.stop = StopReason::Fault;
+  addFilm(report, integrator, run.film);
   if (p.estimator.kindImages)
     run.kinds = integrator.kindImages(run.film);
   return run;

@@ -25,6 +25,11 @@ struct FinishedRun {
 /// Loads the scene and expands the options, which --verbose tells. Throws SceneError and UsageError.
 PreparedRun prepareRun(const RenderOptions& options);
 
+/// What is known of a run before its device is.
+RunReport reportOf(const RenderOptions& options, const PreparedRun& prepared);
+/// Adds what the film says, and the integrator that made it. The result of the run is there already.
+void addFilm(RunReport& report, const Integrator& integrator, const Film& film);
+
 /// Uploads, compiles and renders until a rule stops it.
 FinishedRun renderRun(const RenderOptions& options, const PreparedRun& prepared, const gpu::Context& context,
                       RenderObserver& observer);

@@ -10,7 +10,9 @@ namespace vkpt {
 using Vec2f = glm::vec2;
 using Vec3f = glm::vec3;
 using Vec4f = glm::vec4;
+using Vec2d = glm::dvec2;
 using Vec3d = glm::dvec3;
+using Vec2i = glm::ivec2;
 
 /// Axis-aligned box; empty when any `lower` exceeds its `upper`.
 template<class T>

@@ -44,7 +44,7 @@ std::uint32_t deadHistories(std::uint32_t pathKinds) {
 
 } // namespace
 
-void setCamera(shared::FrameConstants& constants, const Scene& scene, int width, int height) {
+void setView(shared::FrameConstants& constants, const Scene& scene, int width, int height) {
   const Camera& c = scene.camera;
   const Vec3d view = c.target - c.eye;
   const Vec3d side = glm::cross(view, c.up);
@@ -68,16 +68,19 @@ void setCamera(shared::FrameConstants& constants, const Scene& scene, int width,
   constants.upperLeft = toVec4(forward - 0.5 * right - 0.5 * down);
   constants.right = toVec4(right);
   constants.down = toVec4(down);
+  constants.width = static_cast<std::uint32_t>(width);
+  constants.height = static_cast<std::uint32_t>(height);
+  constants.blocksX = blocksAlong(width);
+  constants.blocksPerStripe =
+      (constants.blocksX * blocksAlong(height) + shared::kStripes - 1) / shared::kStripes;
 }
 
 shared::FrameConstants frameConstants(const Scene& scene, const LightChoice& lights,
                                       const EstimatorSettings& estimator, int width, int height,
                                       std::uint32_t seed) {
   shared::FrameConstants c{};
-  setCamera(c, scene, width, height);
+  setView(c, scene, width, height);
   c.background = {scene.background.x, scene.background.y, scene.background.z, 0.0F};
-  c.width = static_cast<std::uint32_t>(width);
-  c.height = static_cast<std::uint32_t>(height);
   c.seed = seed;
   c.lightCount = lights.count;
   c.environmentProbability = lights.environmentProbability;
@@ -92,8 +95,6 @@ shared::FrameConstants frameConstants(const Scene& scene, const LightChoice& lig
   c.pathKinds = estimator.pathKinds;
   c.deadHistories = deadHistories(estimator.pathKinds);
   setFilter(c, scene.filter);
-  c.blocksX = blocksAlong(width);
-  c.blocksPerStripe = (c.blocksX * blocksAlong(height) + shared::kStripes - 1) / shared::kStripes;
   return c;
 }
 

@@ -8,12 +8,12 @@
 
 namespace vkpt {
 
-/// Fills the camera's part of `constants` (eye, image plane at distance 1) for an image of width x height.
-/// Throws UsageError when the camera has no direction: eye on target, up along the view, fov outside (0,
-/// 180).
-void setCamera(shared::FrameConstants& constants, const Scene& scene, int width, int height);
+/// Fills the part of `constants` that says which image is seen: the camera (eye, image plane at distance 1),
+/// and the size with its blocks. Throws UsageError when the camera has no direction: eye on target, up along
+/// the view, fov outside (0, 180).
+void setView(shared::FrameConstants& constants, const Scene& scene, int width, int height);
 
-/// All of the constants; throws as setCamera() does.
+/// All of the constants; throws as setView() does.
 shared::FrameConstants frameConstants(const Scene& scene, const LightChoice& lights,
                                       const EstimatorSettings& estimator, int width, int height,
                                       std::uint32_t seed);

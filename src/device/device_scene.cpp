@@ -249,8 +249,13 @@ bool scatters(const Material& m) {
 
 PackedScene packScene(const Scene& scene, const EstimatorSettings& estimator, const EffectSet& effects,
                       unsigned threads) {
+  return packScene(scene, estimator, effects, buildOver(scene, threads));
+}
+
+PackedScene packScene(const Scene& scene, const EstimatorSettings& estimator, const EffectSet& effects,
+                      Bvh bvh) {
   PackedScene packed;
-  packed.bvh = buildOver(scene, threads);
+  packed.bvh = std::move(bvh);
   packed.leftOut = scene.triangles.size() - packed.bvh.triangleOrder.size();
   packTriangles(scene, effects.has(Effect::SmoothNormals), packed);
   const LightTable lights = makeLightTable(scene, estimator.light);

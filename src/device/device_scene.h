@@ -50,6 +50,9 @@ struct PackedScene {
 /// are left out whatever the effects.
 PackedScene packScene(const Scene& scene, const EstimatorSettings& estimator, const EffectSet& effects,
                       unsigned threads = 0);
+/// The same over a tree that was built for this scene before.
+PackedScene packScene(const Scene& scene, const EstimatorSettings& estimator, const EffectSet& effects,
+                      Bvh bvh);
 /// For the effects that the scene calls for.
 PackedScene packScene(const Scene& scene, const EstimatorSettings& estimator, unsigned threads = 0);
 

@@ -32,6 +32,7 @@ struct EstimatorSettings {
   bool kindImages = false;                 ///< an image of each kind beside the whole
 
   [[nodiscard]] std::uint32_t effectiveRouletteAfter() const;
+  bool operator==(const EstimatorSettings&) const = default;
 };
 
 inline std::uint32_t EstimatorSettings::effectiveRouletteAfter() const {

@@ -1,5 +1,5 @@
 #pragma once
-// From linear radiance to the bytes of a display, and back.
+// From linear radiance to the bytes of a display (shaders/lib/display.glsl in double), and back.
 
 #include "decode/srgb.h"
 #include "film/image.h"
@@ -10,9 +10,7 @@ namespace vkpt::film {
 double srgbEncode(double linear);
 using decode::srgbDecode;
 
-/// K. Narkowicz 2016, "ACES Filmic Tone Mapping Curve" (knarkowicz.wordpress.com): a rational fit, per
-/// channel, of the ACES reference and output transforms for an sRGB display, without the factor 0.6 of the
-/// original exposure. For x >= 0; tends to 2.51 / 2.43.
+/// Narkowicz's fit of the ACES curve, without the sRGB curve behind it.
 double acesFilmic(double x);
 
 /// One channel's linear radiance as a byte; total: NaN and what is below 0 give 0, what is above 1 gives 255.

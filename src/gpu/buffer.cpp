@@ -72,16 +72,16 @@ void Buffer::write(const Context& context, std::span<const std::byte> data) cons
   });
 }
 
-void Buffer::read(const Context& context, std::span<std::byte> data) const {
+void Buffer::read(const Context& context, std::span<std::byte> data, vk::DeviceSize offset) const {
   if (data.empty())
     return;
   if (m_mapped != nullptr) {
-    std::memcpy(data.data(), m_mapped, data.size());
+    std::memcpy(data.data(), static_cast<const std::byte*>(m_mapped) + offset, data.size());
     return;
   }
   const Buffer staging(context, "staging for " + m_what, data.size(), {}, MemoryKind::Host);
   context.execute([&](const vk::raii::CommandBuffer& commands) {
-    commands.copyBuffer(handle(), staging.handle(), vk::BufferCopy(0, 0, data.size()));
+    commands.copyBuffer(handle(), staging.handle(), vk::BufferCopy(offset, 0, data.size()));
     const vk::MemoryBarrier toHost(vk::AccessFlagBits::eTransferWrite, vk::AccessFlagBits::eHostRead);
     commands.pipelineBarrier(vk::PipelineStageFlagBits::eTransfer, vk::PipelineStageFlagBits::eHost, {},
                              toHost, {}, {});
@@ -89,9 +89,9 @@ void Buffer::read(const Context& context, std::span<std::byte> data) const {
   std::memcpy(data.data(), staging.mapped(), data.size());
 }
 
-void Buffer::fillZero(const Context& context) const {
+void Buffer::fillZero(const Context& context, vk::DeviceSize bytes) const {
   context.execute(
-      [&](const vk::raii::CommandBuffer& commands) { commands.fillBuffer(handle(), 0, VK_WHOLE_SIZE, 0); });
+      [&](const vk::raii::CommandBuffer& commands) { commands.fillBuffer(handle(), 0, bytes, 0); });
 }
 
 TexelBuffer::TexelBuffer(const Context& context, const std::string& what, std::span<const std::byte> data) {

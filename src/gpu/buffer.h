@@ -26,8 +26,10 @@ public:
   [[nodiscard]] void* mapped() const { return m_mapped; }
 
   void write(const Context& context, std::span<const std::byte> data) const;
-  void read(const Context& context, std::span<std::byte> data) const;
-  void fillZero(const Context& context) const;
+  /// From byte `offset` on, a multiple of 4.
+  void read(const Context& context, std::span<std::byte> data, vk::DeviceSize offset = 0) const;
+  /// The first `bytes`, a multiple of 4.
+  void fillZero(const Context& context, vk::DeviceSize bytes = VK_WHOLE_SIZE) const;
 
 private:
   std::string m_what;

@@ -9,6 +9,7 @@
 #include <array>
 #include <charconv>
 #include <cstring>
+#include <span>
 
 namespace vkpt::gpu {
 namespace {
@@ -36,9 +37,12 @@ vk::DebugUtilsMessengerCreateInfoEXT messengerInfo(std::atomic<std::uint64_t>* c
 }
 
 vk::raii::Instance makeInstance(const vk::raii::Context& loader, bool validation,
-                                std::atomic<std::uint64_t>* counter) {
+                                std::atomic<std::uint64_t>* counter,
+                                std::span<const std::string> windowExtensions) {
   std::vector<const char*> layers;
   std::vector<const char*> extensions;
+  for (const auto& extension : windowExtensions)
+    extensions.push_back(extension.c_str());
   if (validation) {
     const auto available = loader.enumerateInstanceLayerProperties();
     const bool present = std::ranges::any_of(available, [](const vk::LayerProperties& layer) {
@@ -75,13 +79,31 @@ std::vector<DeviceInfo> describeAll(const std::vector<vk::raii::PhysicalDevice>&
   return infos;
 }
 
-std::uint32_t computeQueueFamily(const vk::raii::PhysicalDevice& device) {
+/// One that computes; with a surface, one that draws and presents to it as well.
+std::uint32_t chooseQueueFamily(const vk::raii::PhysicalDevice& device, vk::SurfaceKHR surface) {
+  using Flag = vk::QueueFlagBits;
+  const vk::QueueFlags wanted = surface ? Flag::eCompute | Flag::eGraphics : vk::QueueFlags(Flag::eCompute);
   const auto families = device.getQueueFamilyProperties();
   for (std::uint32_t i = 0; i < families.size(); ++i) {
-    if (families[i].queueFlags & vk::QueueFlagBits::eCompute)
+    if ((families[i].queueFlags & wanted) == wanted &&
+        (!surface || device.getSurfaceSupportKHR(i, surface) == VK_TRUE))
       return i;
   }
-  throw DeviceError("the Vulkan device has no compute queue; choose another with --device");
+  throw DeviceError(surface ? "the Vulkan device has no queue that computes, draws and presents to this "
+                              "window; choose another with --device"
+                            : "the Vulkan device has no compute queue; choose another with --device");
+}
+
+std::vector<const char*> deviceExtensions(const vk::raii::PhysicalDevice& device, bool presents) {
+  if (!presents)
+    return {};
+  const auto available = device.enumerateDeviceExtensionProperties();
+  const bool present = std::ranges::any_of(available, [](const vk::ExtensionProperties& extension) {
+    return std::strcmp(extension.extensionName, VK_KHR_SWAPCHAIN_EXTENSION_NAME) == 0;
+  });
+  if (!present)
+    throw DeviceError("the Vulkan device can't present to a window; choose another with --device");
+  return {VK_KHR_SWAPCHAIN_EXTENSION_NAME};
 }
 
 void requireSubgroupArithmetic(const vk::raii::PhysicalDevice& device) {
@@ -99,7 +121,7 @@ void requireSubgroupArithmetic(const vk::raii::PhysicalDevice& device) {
 std::vector<DeviceInfo> listDevices() {
   try {
     const vk::raii::Context loader;
-    const vk::raii::Instance instance = makeInstance(loader, false, nullptr);
+    const vk::raii::Instance instance = makeInstance(loader, false, nullptr, {});
     return describeAll(vk::raii::PhysicalDevices(instance));
   } catch (const std::exception& e) {
     // A loader without drivers fails in one of several ways; for the user they are one.
@@ -137,10 +159,14 @@ std::size_t chooseDevice(const std::vector<DeviceInfo>& devices, const std::stri
 
 Context::Context(const ContextOptions& options) try
     : m_validationMessages(std::make_shared<std::atomic<std::uint64_t>>(0)) {
-  m_instance = makeInstance(m_loader, options.validation, m_validationMessages.get());
+  const Presentation window = options.presentation.value_or(Presentation());
+  m_instance =
+      makeInstance(m_loader, options.validation, m_validationMessages.get(), window.instanceExtensions);
   if (options.validation) {
     m_messenger = vk::raii::DebugUtilsMessengerEXT(m_instance, messengerInfo(m_validationMessages.get()));
   }
+  if (options.presentation)
+    m_surface = vk::raii::SurfaceKHR(m_instance, window.makeSurface(*m_instance));
   vk::raii::PhysicalDevices devices(m_instance);
   const auto infos = describeAll(devices);
   const std::size_t chosen = chooseDevice(infos, options.device);
@@ -151,12 +177,14 @@ Context::Context(const ContextOptions& options) try
   m_pipelineCache = options.pipelineCache;
   m_memory = m_physical.getMemoryProperties();
 
-  const std::uint32_t family = computeQueueFamily(m_physical);
+  m_queueFamily = chooseQueueFamily(m_physical, *m_surface);
   const float priority = 1.0F;
-  const vk::DeviceQueueCreateInfo queue({}, family, 1, &priority);
-  m_device = vk::raii::Device(m_physical, vk::DeviceCreateInfo({}, queue));
-  m_queue = vk::raii::Queue(m_device, family, 0);
-  m_pool = vk::raii::CommandPool(m_device, {vk::CommandPoolCreateFlagBits::eResetCommandBuffer, family});
+  const vk::DeviceQueueCreateInfo queue({}, m_queueFamily, 1, &priority);
+  const auto extensions = deviceExtensions(m_physical, options.presentation.has_value());
+  m_device = vk::raii::Device(m_physical, vk::DeviceCreateInfo({}, queue, {}, extensions));
+  m_queue = vk::raii::Queue(m_device, m_queueFamily, 0);
+  m_pool =
+      vk::raii::CommandPool(m_device, {vk::CommandPoolCreateFlagBits::eResetCommandBuffer, m_queueFamily});
   m_commands = vk::raii::CommandBuffers(m_device, {*m_pool, vk::CommandBufferLevel::ePrimary, 1});
   m_fence = vk::raii::Fence(m_device, vk::FenceCreateInfo{});
 } catch (const vk::IncompatibleDriverError&) {

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,22 +20,37 @@ struct DeviceInfo {
   std::string api;    ///< "1.3.230"
 };
 
+/// What a program with a window needs; whose window it is, Vulkan need not know.
+struct Presentation {
+  std::vector<std::string> instanceExtensions; ///< of the window system, e.g. VK_KHR_xcb_surface
+  /// Makes the window's surface; its error is an exception of its own.
+  std::function<VkSurfaceKHR(VkInstance)> makeSurface;
+};
+
 struct ContextOptions {
   std::string device;                    ///< index or part of a name; empty: a discrete GPU, else any
   bool validation = false;               ///< turn the Khronos validation layer on; an error if it is missing
   std::filesystem::path pipelineCache{}; ///< folder of compiled pipelines; empty: none are kept
+  std::optional<Presentation> presentation{}; ///< empty: no window
 };
 
 /// The devices that Vulkan shows, in its order, and which one `options.device` would choose.
 std::vector<DeviceInfo> listDevices();
 std::size_t chooseDevice(const std::vector<DeviceInfo>& devices, const std::string& selector);
 
-/// Owns instance, device and one compute queue. Throws DeviceError, also for every failed Vulkan call.
+/// Owns instance, device and one queue: it computes, and with a window it draws and presents too. Throws
+/// DeviceError, also for every failed Vulkan call.
 class Context {
 public:
   explicit Context(const ContextOptions& options = {});
 
   [[nodiscard]] const vk::raii::Device& device() const { return m_device; }
+  [[nodiscard]] vk::Instance instance() const { return *m_instance; }
+  [[nodiscard]] const vk::raii::PhysicalDevice& physicalDevice() const { return m_physical; }
+  [[nodiscard]] const vk::raii::Queue& queue() const { return m_queue; }
+  [[nodiscard]] std::uint32_t queueFamily() const { return m_queueFamily; }
+  /// Null without a window.
+  [[nodiscard]] vk::SurfaceKHR surface() const { return *m_surface; }
   [[nodiscard]] const vk::PhysicalDeviceLimits& limits() const { return m_properties.limits; }
   [[nodiscard]] const vk::PhysicalDeviceMemoryProperties& memory() const { return m_memory; }
   [[nodiscard]] const DeviceInfo& info() const { return m_info; }
@@ -53,8 +69,10 @@ private:
   std::shared_ptr<std::atomic<std::uint64_t>> m_validationMessages;
   vk::raii::Instance m_instance = nullptr;
   vk::raii::DebugUtilsMessengerEXT m_messenger = nullptr;
+  vk::raii::SurfaceKHR m_surface = nullptr;
   vk::raii::PhysicalDevice m_physical = nullptr;
   vk::raii::Device m_device = nullptr;
+  std::uint32_t m_queueFamily = 0;
   vk::raii::Queue m_queue = nullptr;
   vk::raii::CommandPool m_pool = nullptr;
   vk::raii::CommandBuffers m_commands = nullptr;

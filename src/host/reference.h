@@ -6,6 +6,8 @@
 #include "device/effects.h"
 #include "film/film.h"
 
+#include <array>
+
 namespace vkpt {
 
 struct HostSettings {
@@ -38,5 +40,13 @@ HostRender renderHost32(const PackedScene& scene, const Scene& source, const Eff
                         const HostSettings& settings, std::uint64_t frames, unsigned threads = 1);
 HostRender renderHost64(const PackedScene& scene, const Scene& source, const EffectSet& effects,
                         const HostSettings& settings, std::uint64_t frames, unsigned threads = 1);
+
+/// Mean radiance of each kind of light path in one pixel, over its first `samples` samples, and their sum.
+struct HostPixel {
+  std::array<Vec3d, kPathKindCount> kinds{};
+  PixelMoments whole;
+};
+HostPixel renderPixel32(const PackedScene& scene, const Scene& source, const EffectSet& effects,
+                        const HostSettings& settings, int x, int y, std::uint64_t samples);
 
 } // namespace vkpt

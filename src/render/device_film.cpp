@@ -10,6 +10,7 @@
 namespace vkpt {
 namespace {
 
+/// Values by plane, each of so many pixels.
 using Planes = std::vector<std::vector<std::uint32_t>>;
 
 double pairAt(const Planes& planes, std::uint32_t plane, std::size_t pixel) {
@@ -37,8 +38,13 @@ PixelMoments momentsAt(const Planes& planes, std::size_t pixel) {
 
 } // namespace
 
-DeviceFilm::DeviceFilm(const gpu::Context& context, int width, int height)
-    : m_width(width), m_height(height) {
+DeviceFilm::DeviceFilm(const gpu::Context& context, int width, int height) { resize(context, width, height); }
+
+std::uint64_t DeviceFilm::planeBytes() const {
+  return static_cast<std::uint64_t>(m_width) * static_cast<std::uint64_t>(m_height) * sizeof(std::uint32_t);
+}
+
+void DeviceFilm::resize(const gpu::Context& context, int width, int height) {
   const auto pixels = static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(height);
   const std::uint64_t limit = context.limits().maxStorageBufferRange / sizeof(std::uint32_t);
   if (pixels > limit) {
@@ -51,22 +57,28 @@ DeviceFilm::DeviceFilm(const gpu::Context& context, int width, int height)
                                  static_cast<double>(need) * 1e-6, context.info().name,
                                  static_cast<double>(context.largestHeap()) * 1e-6));
   }
-  for (std::uint32_t i = 0; i < shared::kFilmPlanes; ++i) {
-    m_planes.emplace_back(context, "film plane", pixels * sizeof(std::uint32_t),
-                          vk::BufferUsageFlagBits::eStorageBuffer, gpu::MemoryKind::Device);
+  m_width = width;
+  m_height = height;
+  if (m_planes.empty() || m_planes.front().bytes() < planeBytes()) {
+    m_planes.clear();
+    for (std::uint32_t i = 0; i < shared::kFilmPlanes; ++i) {
+      m_planes.emplace_back(context, "film plane", planeBytes(), vk::BufferUsageFlagBits::eStorageBuffer,
+                            gpu::MemoryKind::Device);
+    }
   }
   clear(context);
 }
 
-void DeviceFilm::bind(const gpu::Context& context, const gpu::BindingSet& bindings) const {
+void DeviceFilm::bind(const gpu::Context& context, const gpu::BindingSet& bindings,
+                      std::uint32_t binding) const {
   for (std::uint32_t i = 0; i < shared::kFilmPlanes; ++i) {
-    bindings.bind(context, shared::kBindingFilm, m_planes[i], vk::DescriptorType::eStorageBuffer, i);
+    bindings.bind(context, binding, m_planes[i], vk::DescriptorType::eStorageBuffer, i);
   }
 }
 
 void DeviceFilm::clear(const gpu::Context& context) const {
   for (const auto& plane : m_planes)
-    plane.fillZero(context);
+    plane.fillZero(context, planeBytes());
 }
 
 Film DeviceFilm::download(const gpu::Context& context) const {
@@ -79,6 +91,15 @@ Film DeviceFilm::download(const gpu::Context& context) const {
   for (std::size_t i = 0; i < pixels; ++i)
     film.pixels[i] = momentsAt(planes, i);
   return film;
+}
+
+PixelMoments DeviceFilm::pixel(const gpu::Context& context, int x, int y) const {
+  const auto index =
+      static_cast<std::uint64_t>(y) * static_cast<std::uint64_t>(m_width) + static_cast<std::uint64_t>(x);
+  Planes planes(shared::kFilmPlanes, std::vector<std::uint32_t>(1));
+  for (std::size_t i = 0; i < planes.size(); ++i)
+    m_planes[i].read(context, std::as_writable_bytes(std::span{planes[i]}), index * sizeof(std::uint32_t));
+  return momentsAt(planes, 0);
 }
 
 std::uint64_t DeviceFilm::bytes() const {

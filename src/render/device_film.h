@@ -1,6 +1,7 @@
 #pragma once
 #include "film/film.h"
 #include "gpu/compute_pipeline.h"
+#include "shared/structs.h"
 
 #include <vector>
 
@@ -11,15 +12,23 @@ class DeviceFilm {
 public:
   /// Throws UsageError when the size is beyond the device's limit for a storage buffer.
   DeviceFilm(const gpu::Context& context, int width, int height);
-  void bind(const gpu::Context& context, const gpu::BindingSet& bindings) const;
+  /// To another size, as if made anew, but for memory that is large enough already: the caller binds it
+  /// again.
+  void resize(const gpu::Context& context, int width, int height);
+  void bind(const gpu::Context& context, const gpu::BindingSet& bindings,
+            std::uint32_t binding = shared::kBindingFilm) const;
   void clear(const gpu::Context& context) const;
   /// Reads the planes back and joins each pixel's open group to its closed ones.
   [[nodiscard]] Film download(const gpu::Context& context) const;
+  /// One pixel of it.
+  [[nodiscard]] PixelMoments pixel(const gpu::Context& context, int x, int y) const;
   [[nodiscard]] std::uint64_t bytes() const;
 
 private:
-  int m_width;
-  int m_height;
+  [[nodiscard]] std::uint64_t planeBytes() const;
+
+  int m_width = 0;
+  int m_height = 0;
   std::vector<gpu::Buffer> m_planes;
 };
 

@@ -25,6 +25,11 @@ DeviceKinds::DeviceKinds(const gpu::Context& context, int width, int height, boo
   clear(context);
 }
 
+void DeviceKinds::resize(const gpu::Context& context, int width, int height) {
+  if (m_wanted)
+    *this = DeviceKinds(context, width, height, true);
+}
+
 void DeviceKinds::bind(const gpu::Context& context, const gpu::BindingSet& bindings) const {
   for (std::uint32_t i = 0; i < kKindCount; ++i)
     bindings.bind(context, kBindingKinds, m_images[i], vk::DescriptorType::eStorageBuffer, i);

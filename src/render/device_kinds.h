@@ -13,6 +13,8 @@ class DeviceKinds {
 public:
   /// Throws UsageError when the size is beyond the device's limit for a storage buffer.
   DeviceKinds(const gpu::Context& context, int width, int height, bool wanted);
+  /// To another size, as if made anew: the caller binds it again.
+  void resize(const gpu::Context& context, int width, int height);
   void bind(const gpu::Context& context, const gpu::BindingSet& bindings) const;
   void clear(const gpu::Context& context) const;
   /// Mean radiance of each kind, given the samples of each pixel; empty unless wanted.

@@ -3,11 +3,13 @@
 
 namespace vkpt {
 
+inline constexpr double kUnitSeconds = 0.075; ///< of a unit of work, where nothing asks for less
+
 /// Chooses how much one dispatch does, by measured time: short enough that no device is ever held for long,
 /// long enough that the cost of a dispatch does not matter.
 class DispatchSizer {
 public:
-  explicit DispatchSizer(double targetSeconds = 0.075) : m_target(targetSeconds) {}
+  explicit DispatchSizer(double targetSeconds = kUnitSeconds) : m_target(targetSeconds) {}
 
   /// Work units (samples) for the next dispatch; at least 1.
   [[nodiscard]] std::uint64_t next() const;

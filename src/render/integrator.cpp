@@ -180,13 +180,29 @@ void Integrator::clear() {
   m_kinds.clear(m_context);
 }
 
+void Integrator::forget() {
+  m_counters = {};
+  m_faults.clear();
+}
+
 void Integrator::restart(std::uint32_t seed) {
   m_settings.seed = seed;
   m_constants.seed = seed;
   m_constantsBuffer.write(m_context, std::as_bytes(std::span{&m_constants, 1}));
   clear();
-  m_counters = {};
-  m_faults.clear();
+  forget();
+}
+
+void Integrator::restart(const Scene& source, int width, int height) {
+  setView(m_constants, source, width, height);
+  m_constantsBuffer.write(m_context, std::as_bytes(std::span{&m_constants, 1}));
+  m_settings.width = width;
+  m_settings.height = height;
+  m_film.resize(m_context, width, height);
+  m_film.bind(m_context, m_bindings);
+  m_kinds.resize(m_context, width, height);
+  m_kinds.bind(m_context, m_bindings);
+  forget();
 }
 
 std::vector<std::vector<Vec3d>> Integrator::kindImages(const Film& film) const {

@@ -72,8 +72,12 @@ public:
   void clear();
   /// As if made anew with this seed, but compiled.
   void restart(std::uint32_t seed);
+  /// As if made anew for the camera of `source` and this size, but compiled. `source` is else what it was.
+  /// Throws UsageError as the constructor does, and leaves all as it was where the camera has no direction.
+  void restart(const Scene& source, int width, int height);
 
   [[nodiscard]] Film film() const { return m_film.download(m_context); }
+  [[nodiscard]] const DeviceFilm& deviceFilm() const { return m_film; }
   /// Mean radiance of each kind of light path, by pixel; empty unless settings.estimator.kindImages.
   [[nodiscard]] std::vector<std::vector<Vec3d>> kindImages(const Film& film) const;
   [[nodiscard]] const RunCounters& counters() const { return m_counters; }
@@ -84,6 +88,7 @@ public:
 
 private:
   void reserveSlots(std::uint32_t slots);
+  void forget();
   void dispatch(const gpu::ComputePipeline& pipeline, const shared::Dispatch& job) const;
   shared::Counters tracePaths(const shared::Dispatch& job);
   void keepFaults(const shared::Counters& counters, const shared::Dispatch& job);

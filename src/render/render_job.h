@@ -1,6 +1,7 @@
 #pragma once
 // What to render and when to stop.
 
+#include "render/dispatch_sizer.h"
 #include "render/integrator.h"
 
 #include <optional>
@@ -19,8 +20,12 @@ struct RenderJob {
   std::optional<double> seconds;       ///< of rendering
   std::optional<double> targetError;   ///< relative error of the image, 95 % confident
   std::uint32_t batch =
-      shared::kSamplesPerGroup; ///< frames per unit of work, 1..kSamplesPerGroup; no image depends on it
-  std::uint32_t tileBlocks = 0; ///< blocks per unit of work; 0: by measured time. No image depends on it
+      shared::kSamplesPerGroup;      ///< frames per unit of work, 1..kSamplesPerGroup; no image depends on it
+  std::uint32_t tileBlocks = 0;      ///< blocks per unit of work; 0: by measured time. No image depends on it
+  double unitSeconds = kUnitSeconds; ///< that a unit of work is to take where it is sized by measured time
+  /// Begin with batches of one frame, and let them grow with the frames that are there: every pixel soon has
+  /// a sample, and late ones cost as little as without. No image depends on it.
+  bool growingBatch = false;
 };
 
 } // namespace vkpt

@@ -11,6 +11,7 @@ namespace {
 
 constexpr std::uint64_t kNoLimit = std::numeric_limits<std::uint64_t>::max();
 constexpr std::uint64_t kFirstLook = 16;    // frames; a variance of fewer samples says little
+constexpr std::uint64_t kLeastGrowth = 4;   // a growing batch adds at most a quarter of the frames
 constexpr double kMostOfTimeLooking = 0.01; // where no rule needs the looks
 
 /// One run's state: what has been done, and what the rules say of it.
@@ -18,7 +19,8 @@ class Run {
 public:
   Run(Integrator& integrator, const RenderJob& job, RenderObserver& observer)
       : m_integrator(integrator), m_job(job), m_observer(observer),
-        m_pixels(static_cast<double>(integrator.settings().width) * integrator.settings().height) {}
+        m_pixels(static_cast<double>(integrator.settings().width) * integrator.settings().height),
+        m_sizer(job.unitSeconds) {}
 
   /// Samples [m_frame, m_frame + batch) of every pixel, tile by tile. Returns the reason when a rule stops
   /// it.
@@ -33,35 +35,45 @@ public:
       first += tile.blockCount;
       m_frames = static_cast<double>(m_frame) + static_cast<double>(batch) * first / blocks;
       report();
-      if (m_observer.stopRequested())
+      if (m_observer.stopRequested() && ends(StopReason::User))
         return StopReason::User;
-      if (m_job.seconds && m_clock.seconds() >= *m_job.seconds)
+      if (m_job.seconds && seconds() >= *m_job.seconds && ends(StopReason::Time))
         return StopReason::Time;
     }
     m_frame += batch;
     m_frames = static_cast<double>(m_frame);
-    if (m_frame >= m_job.frames.value_or(kNoLimit))
+    if (m_frame >= m_job.frames.value_or(kNoLimit) && ends(StopReason::Frames))
       return StopReason::Frames;
     look();
-    return errorReached() ? std::optional(StopReason::Error) : std::nullopt;
+    return errorReached() && ends(StopReason::Error) ? std::optional(StopReason::Error) : std::nullopt;
   }
 
-  [[nodiscard]] RenderResult result(StopReason stop) const {
-    return {stop, m_clock.seconds(), m_frames, m_looks};
-  }
+  [[nodiscard]] RenderResult result(StopReason stop) const { return {stop, seconds(), m_frames, m_looks}; }
 
 private:
+  /// Of rendering: what the observer took to let the run go on is left out.
+  [[nodiscard]] double seconds() const { return m_clock.seconds() - m_heldSeconds; }
+
+  bool ends(StopReason reason) {
+    const Stopwatch held;
+    const bool goesOn = m_observer.goesOn(reason);
+    m_heldSeconds += held.seconds();
+    return !goesOn;
+  }
+
   /// Batches never straddle a group of samples.
   [[nodiscard]] std::uint32_t nextBatch() const {
     const std::uint64_t toGroupEnd = shared::kSamplesPerGroup - m_frame % shared::kSamplesPerGroup;
-    const std::uint64_t wanted = std::clamp<std::uint64_t>(m_job.batch, 1, toGroupEnd);
+    const std::uint64_t most =
+        m_job.growingBatch ? std::min<std::uint64_t>(m_job.batch, m_frame / kLeastGrowth) : m_job.batch;
+    const std::uint64_t wanted = std::clamp<std::uint64_t>(most, 1, toGroupEnd);
     return static_cast<std::uint32_t>(std::min(wanted, m_job.frames.value_or(kNoLimit) - m_frame));
   }
 
   [[nodiscard]] std::uint32_t tileBlocks(std::uint32_t batch) const {
     if (m_job.tileBlocks > 0)
       return m_job.tileBlocks;
-    const double left = m_job.seconds.value_or(1e9) - m_clock.seconds();
+    const double left = m_job.seconds.value_or(1e9) - seconds();
     const std::uint64_t samples = m_sizer.nextWithin(left);
     return static_cast<std::uint32_t>(std::clamp<std::uint64_t>(
         samples / (std::uint64_t{shared::kBlockPixels} * batch), 1, kMostTileBlocks));
@@ -69,16 +81,18 @@ private:
 
   /// The film is looked at when the number of frames has grown by a half: often enough, and at little cost.
   void look() {
-    const bool afford = m_lookSeconds <= kMostOfTimeLooking * m_clock.seconds();
+    const bool afford = m_lookSeconds <= kMostOfTimeLooking * seconds();
     if (m_frame < m_nextLook || !(m_job.targetError || afford))
       return;
     m_nextLook = m_frame + std::max<std::uint64_t>(m_frame / 2, 1);
     const Stopwatch watch;
-    const FilmStatistics film = filmStatistics(m_integrator.film());
+    Film film = m_integrator.film();
+    const FilmStatistics statistics = filmStatistics(film);
     m_lookSeconds = watch.seconds();
-    m_error = film.relativeErrorUpper; // 95 % confident
-    m_looks.push_back({m_frames, film.relativeError});
-    m_lookedAt = m_clock.seconds();
+    m_error = statistics.relativeErrorUpper; // 95 % confident
+    m_looks.push_back({m_frames, statistics.relativeError});
+    m_lookedAt = seconds();
+    m_observer.onLook(std::move(film), statistics);
   }
 
   [[nodiscard]] bool errorReached() const {
@@ -97,7 +111,7 @@ private:
   void report() {
     RenderProgress p;
     p.frames = m_frames;
-    p.seconds = m_clock.seconds();
+    p.seconds = seconds();
     p.samplesPerSecond = m_frames * m_pixels / std::max(p.seconds, 1e-9);
     p.relativeError = m_error;
     p.targetError = m_job.targetError;
@@ -118,6 +132,7 @@ private:
   RenderObserver& m_observer;
   double m_pixels;
   Stopwatch m_clock;
+  double m_heldSeconds = 0.0;
   DispatchSizer m_sizer;
   std::uint64_t m_frame = 0; // finished for every pixel
   double m_frames = 0.0;
@@ -146,12 +161,16 @@ const char* stopReasonName(StopReason reason) {
   return "";
 }
 
-RenderResult renderUntil(Integrator& integrator, Film& film, const RenderJob& job, RenderObserver& observer) {
+RenderResult renderUntil(Integrator& integrator, const RenderJob& job, RenderObserver& observer) {
   Run run(integrator, job, observer);
   std::optional<StopReason> stop;
   while (!stop)
     stop = run.renderBatch();
-  RenderResult result = run.result(*stop);
+  return run.result(*stop);
+}
+
+RenderResult renderUntil(Integrator& integrator, Film& film, const RenderJob& job, RenderObserver& observer) {
+  RenderResult result = renderUntil(integrator, job, observer);
   film = integrator.film();
   if (result.looks.empty() || result.looks.back().work < result.frames)
     result.looks.push_back({result.frames, filmStatistics(film).relativeError});

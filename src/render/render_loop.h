@@ -22,8 +22,13 @@ class RenderObserver {
 public:
   virtual ~RenderObserver() = default;
   virtual void onProgress(const RenderProgress&) {}
+  /// The film was read back, which is done now and then.
+  virtual void onLook(Film&&, const FilmStatistics&) {}
   /// True ends the run after the unit of work that is under way.
   virtual bool stopRequested() { return false; }
+  /// The run is about to end for this reason. An observer may wait here, even change the job, and return
+  /// true: then the run goes on where it stopped. Its time here is no time of rendering.
+  virtual bool goesOn(StopReason) { return false; }
 };
 
 struct RenderResult {
@@ -34,7 +39,11 @@ struct RenderResult {
   std::vector<ErrorAtWork> looks;
 };
 
-/// Renders until a rule of `job` is met, whichever is first; then leaves the film in `film`.
+/// Renders until a rule of `job` is met, whichever is first. `job` may change while the observer has the
+/// word.
+RenderResult renderUntil(Integrator& integrator, const RenderJob& job, RenderObserver& observer);
+
+/// The same; then leaves the film in `film`, and looks at its error.
 RenderResult renderUntil(Integrator& integrator, Film& film, const RenderJob& job, RenderObserver& observer);
 
 } // namespace vkpt

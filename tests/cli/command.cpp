@@ -159,6 +159,12 @@ bool RunningCommand::waitForError(std::string_view text, double seconds) const {
   return false;
 }
 
+bool RunningCommand::hasEnded() const {
+  siginfo_t info{};
+  return ::waitid(P_PID, static_cast<id_t>(m_process), &info, WEXITED | WNOHANG | WNOWAIT) != 0 ||
+         info.si_pid != 0;
+}
+
 void RunningCommand::signal(int number) const { ::kill(m_process, number); }
 
 CommandResult RunningCommand::wait() {

@@ -65,6 +65,10 @@ public:
 
   /// Waits until `text` stands in stderr; false when it has not within `seconds`.
   [[nodiscard]] bool waitForError(std::string_view text, double seconds) const;
+  /// What stands in stdout and stderr so far.
+  [[nodiscard]] std::string output() const { return m_streams.read("out"); }
+  [[nodiscard]] std::string errorOutput() const { return m_streams.read("err"); }
+  [[nodiscard]] bool hasEnded() const;
   void signal(int number) const;
   /// Waits for its end; kills it after two minutes.
   CommandResult wait();

@@ -51,6 +51,8 @@ while IFS= read -r line; do
     ;;
   cmake/run.sh | build/vkpt) [[ $line == *--size* || ${words[1]-} == assignment ]] || words+=(--size "$size") ;;
   esac
+  # The preview gets a screen, and closes by itself.
+  [[ ${words[1]-} != view ]] || words=(xvfb-run -a "${words[@]}" --frames 1 --close)
   echo "\$ ${words[*]}"
   "${words[@]}" || { echo "README.md: failed: $line"; exit 1; }
   for ((i = 1; i < ${#words[@]} - 1; ++i)); do

@@ -1,0 +1,25 @@
+#include "app/view/view_settings.h"
+
+#include <algorithm>
+#include <array>
+
+namespace vkpt {
+
+std::string_view shaderName(Shader shader) {
+  constexpr std::array<std::string_view, kShaderCount> kNames{"base colour", "direct light", "normals",
+                                                              "path tracing"};
+  return kNames.at(static_cast<std::size_t>(shader));
+}
+
+EstimatorSettings ViewSettings::rendered() const {
+  EstimatorSettings e = estimator;
+  if (shader == Shader::DirectLight)
+    e.maxBounces = std::min(e.maxBounces, 1U);
+  return e;
+}
+
+bool differInFilm(const ViewSettings& a, const ViewSettings& b) {
+  return a.shader != b.shader || (b.estimates() && a.rendered() != b.rendered());
+}
+
+} // namespace vkpt
