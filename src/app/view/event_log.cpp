@@ -8,6 +8,9 @@
 
 namespace vkpt {
 
+nlohmann::json numbers(Vec2i v) { return {v.x, v.y}; }
+nlohmann::json numbers(const Vec3d& v) { return {v.x, v.y, v.z}; }
+
 void EventLog::write(std::string_view name, const nlohmann::json& facts) const {
   if (!m_on)
     return;

@@ -1,11 +1,16 @@
 #pragma once
 // What happens, as lines of JSON on stdout: for scripts that drive the preview.
 
+#include "core/math.h"
+
 #include <nlohmann/json_fwd.hpp>
 
 #include <string_view>
 
 namespace vkpt {
+
+nlohmann::json numbers(Vec2i v);
+nlohmann::json numbers(const Vec3d& v);
 
 class EventLog {
 public:

@@ -69,10 +69,9 @@ private:
   Vec2i m_windowSize{0};
 
   bool m_quit = false;
-  bool m_closed = false; ///< by a rule to stop
-  bool m_moved = false;  ///< the film is of another camera or size
-  bool m_shown = false;  ///< the film was in the window since it was begun
-  bool m_stale = true;   ///< the window lacks something
+  bool m_moved = false; ///< the film is of another camera or size
+  bool m_shown = false; ///< the film was in the window since it was begun
+  bool m_stale = true;  ///< the window lacks something
   bool m_firstPicture = false;
   std::uint64_t m_faults = 0; ///< in films that are gone
   double m_showSeconds = 0.0; ///< that the last picture took
