@@ -18,6 +18,8 @@ vkpt::ExitCode run(const std::vector<std::string>& arguments) {
     return vkpt::runAssignment({arguments.begin() + 1, arguments.end()});
   if (!arguments.empty() && arguments.front() == "study")
     return vkpt::runStudy({arguments.begin() + 1, arguments.end()});
+  if (!arguments.empty() && arguments.front() == "selftest")
+    return vkpt::runSelftest({arguments.begin() + 1, arguments.end()});
   const vkpt::CommandLine line = vkpt::parseCommandLine(arguments);
   vkpt::setUpLog(line.render.log);
   switch (line.command) {
@@ -25,8 +27,6 @@ vkpt::ExitCode run(const std::vector<std::string>& arguments) {
     return vkpt::runRender(line.render);
   case Command::Devices:
     return vkpt::runDevices(line.render);
-  case Command::Selftest:
-    return vkpt::runSelftest(line.render);
   case Command::Replay:
     return vkpt::runReplay(line.render);
   case Command::Explain:

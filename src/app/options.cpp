@@ -19,7 +19,8 @@ constexpr const char* kUsage =
     "       vkpt explain [SCENE...]       which effects are compiled in, because of what, and what they "
     "take\n"
     "       vkpt devices                  the Vulkan devices, and which one would be used\n"
-    "       vkpt selftest FILE.xml        a file's own tests: of BSDFs, and of scenes on this device\n"
+    "       vkpt selftest [FILE.xml]      the hard cases on this device, or a file's own tests; see vkpt "
+    "selftest --help\n"
     "       vkpt study [SCENE...]         what accuracy costs in time, as a report; see vkpt study --help\n"
     "       vkpt assignment a|b           every deliverable of an assignment; see vkpt assignment --help\n"
     "       vkpt compare IMAGE REFERENCE  error metrics and a difference picture; see vkpt compare --help\n";
@@ -317,13 +318,6 @@ void interpret(const Flags& flags, CommandLine& line) {
     if (o.scenes.size() > 1)
       throw UsageError(fmt::format("devices '{}': the command takes no scene", o.scenes[1].string()));
     line.command = Command::Devices;
-  }
-  if (!o.scenes.empty() && o.scenes.front() == "selftest") {
-    if (o.scenes.size() != 2)
-      throw UsageError(
-          "selftest: give one file of tests, as in vkpt selftest FILE.xml; there are no built-in tests");
-    o.scenes.erase(o.scenes.begin());
-    line.command = Command::Selftest;
   }
 }
 

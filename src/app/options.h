@@ -44,7 +44,7 @@ struct RenderOptions {
   LogLevel log = LogLevel::Normal; ///< Quiet: no summary either
 };
 
-enum class Command { Render, Devices, Selftest, Replay, Explain, ListScenes, Exit };
+enum class Command { Render, Devices, Replay, Explain, ListScenes, Exit };
 
 struct CommandLine {
   Command command = Command::Render;

@@ -15,7 +15,9 @@ constexpr double kPlainInterval = 10.0;    // seconds between lines in a log
 
 StatusLine::StatusLine(bool visible) : m_visible(visible), m_terminal(isatty(STDERR_FILENO) == 1) {}
 
-StatusLine::~StatusLine() {
+StatusLine::~StatusLine() { clear(); }
+
+void StatusLine::clear() {
   if (m_drawn && m_terminal)
     fmt::print(stderr, "\r\033[K");
 }

@@ -17,6 +17,9 @@ public:
   /// Time to draw it again.
   [[nodiscard]] bool isDue() const;
   void draw(const std::string& text);
+  /// For what goes to stdout: takes the line off a terminal.
+  void clear();
+  [[nodiscard]] bool onTerminal() const { return m_visible && m_terminal; }
 
 private:
   bool m_visible;

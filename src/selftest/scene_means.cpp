@@ -1,7 +1,7 @@
 #include "selftest/scene_means.h"
 
-#include "render/render_loop.h"
 #include "selftest/film_mean.h"
+#include "selftest/render_scene.h"
 
 #include <fmt/format.h>
 
@@ -14,26 +14,6 @@ namespace {
 
 /// As few samples as give every pixel a variance.
 constexpr std::uint64_t kLeastFrames = 2;
-
-struct Rendered {
-  Film film;
-  RunCounters counters;
-};
-
-Rendered render(const gpu::Context& context, const Scene& scene, const EstimatorSettings& estimator,
-                std::uint64_t frames, std::uint32_t seed) {
-  const PackedScene packed = packScene(scene, estimator);
-  const DeviceScene deviceScene = uploadScene(context, packed);
-  Integrator integrator(context, deviceScene, scene, detectEffects(scene, estimator),
-                        {estimator, scene.width, scene.height, seed, {}, {}});
-  RenderJob job;
-  job.frames = frames;
-  RenderObserver nobody;
-  Rendered rendered;
-  renderUntil(integrator, rendered.film, job, nobody);
-  rendered.counters = integrator.counters();
-  return rendered;
-}
 
 } // namespace
 
@@ -58,8 +38,12 @@ void testSceneMeans(const NoriTTest& test, const gpu::Context& context,
     const auto pixels = static_cast<std::uint64_t>(scene.width) * static_cast<std::uint64_t>(scene.height);
     const std::uint64_t frames =
         std::max(kLeastFrames, (static_cast<std::uint64_t>(test.sampleCount) + pixels - 1) / pixels);
-    const Rendered rendered =
-        render(context, scene, estimatorOf(scene), frames, seed + static_cast<std::uint32_t>(i));
+    const selftest::Rendered rendered = selftest::renderScene(context, scene,
+                                                              {.estimator = estimatorOf(scene),
+                                                               .width = scene.width,
+                                                               .height = scene.height,
+                                                               .frames = frames,
+                                                               .seed = seed + static_cast<std::uint32_t>(i)});
     const MeanEstimate mean = meanLuminance(rendered.film);
     TestStatistic statistic = studentTest(mean, test.references[i]);
     if (rendered.counters.faults() > 0)

@@ -46,7 +46,7 @@ Probe::Probe(const Scene& scene, const EffectSet& effects, std::uint32_t mutatio
     m_specialisation[static_cast<std::uint32_t>(e.effect)] = effects.has(e.effect) ? 1U : 0U;
   m_specialisation[kConstantFilterShape] = static_cast<std::uint32_t>(scene.filter.shape);
   if (mutation != 0)
-    m_specialisation[kMutationConstant] = mutation;
+    m_specialisation.merge(mutatedKernel(mutation).constants());
 }
 
 const gpu::ComputePipeline& Probe::pipeline(Routine routine) {

@@ -98,7 +98,7 @@ TEST(Run, HelpHasEveryOptionExamplesAndExitCodes) {
                            "--fov",
                            "--list-scenes",
                            "vkpt devices",
-                           "vkpt selftest FILE.xml",
+                           "vkpt selftest [FILE.xml]",
                            "Examples:",
                            "vkpt cornell-spheres --time 10",
                            "Exit codes: 0 done"})

@@ -45,7 +45,7 @@ void filmOfSamples(Trial& t) {
   RenderSetup setup{.estimator = lightSampling(), .width = 8, .height = 8, .frames = kFrames};
   setup = t.complete(setup);
   const Scene scene = twoLightRoom();
-  Studio studio(sharedContext(), scene, setup);
+  Studio studio(t.context(), scene, setup);
   const Film film = studio.render().film;
   std::vector<std::vector<Vec3d>> samples;
   for (std::uint64_t i = 0; i < kFrames; ++i)

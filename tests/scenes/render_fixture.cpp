@@ -1,8 +1,6 @@
 #include "scenes/render_fixture.h"
 
-#include "core/hash.h"
 #include "film/image.h"
-#include "scenes/test_shaders.h"
 
 #include <algorithm>
 
@@ -13,49 +11,8 @@ const gpu::Context& sharedContext() {
   return context;
 }
 
-namespace {
-
-IntegratorSettings integratorSettings(const RenderSetup& setup) {
-  IntegratorSettings s;
-  s.estimator = setup.estimator;
-  s.width = setup.width;
-  s.height = setup.height;
-  s.seed = setup.seed;
-  if (setup.kernel.mutation != 0 || setup.kernel.testBuild) {
-    s.pathShader = spirv::kMutablePath;
-    s.extraConstants[kMutationConstant] = setup.kernel.mutation;
-  }
-  return s;
-}
-
-} // namespace
-
-Studio::Studio(const gpu::Context& context, const Scene& scene, const RenderSetup& setup) : m_setup(setup) {
-  const EffectSet effects = setup.effects.value_or(detectEffects(scene, setup.estimator));
-  m_scene = uploadScene(context, packScene(scene, setup.estimator, effects, 1));
-  m_integrator = std::make_unique<Integrator>(context, m_scene, scene, effects, integratorSettings(setup));
-}
-
-Rendered Studio::render() {
-  RenderJob job;
-  job.frames = m_setup.frames;
-  job.batch = m_setup.batch;
-  job.tileBlocks = m_setup.tileBlocks;
-  RenderObserver observer;
-  Rendered r;
-  m_integrator->clear();
-  renderUntil(*m_integrator, r.film, job, observer);
-  r.counters = m_integrator->counters();
-  return r;
-}
-
-Rendered renderScene(const Scene& scene, const RenderSetup& setup, const gpu::Context& context) {
-  return Studio(context, scene, setup).render();
-}
-
-std::uint32_t seedOf(const std::string& name) {
-  const std::uint64_t hash = hashText(name);
-  return static_cast<std::uint32_t>(hash ^ (hash >> 32U));
+Rendered renderScene(const Scene& scene, const RenderSetup& setup) {
+  return renderScene(sharedContext(), scene, setup);
 }
 
 std::string currentTestName() {
@@ -73,31 +30,6 @@ std::string savePicture(const Film& film, const std::string& name) {
     writeImage(stem.string() + extension, develop(film), {}, {});
   return stem.string() + ".{exr,png}";
 }
-
-EstimatorSettings bsdfSampling(RouletteMode roulette) {
-  EstimatorSettings s;
-  s.light = LightStrategy::Bsdf;
-  s.roulette = roulette;
-  return s;
-}
-
-EstimatorSettings lightSampling() {
-  EstimatorSettings s;
-  s.light = LightStrategy::Nee;
-  return s;
-}
-
-EstimatorSettings withoutRoulette(EstimatorSettings settings) {
-  settings.rouletteAfter = kUnlimitedBounces - 1;
-  return settings;
-}
-
-EstimatorSettings withBounces(EstimatorSettings settings, std::uint32_t bounces) {
-  settings.maxBounces = bounces;
-  return settings;
-}
-
-EffectSet everyEffect() { return EffectSet::all(); }
 
 void RenderTest::SetUp() { m_messagesBefore = sharedContext().validationMessages(); }
 

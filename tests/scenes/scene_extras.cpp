@@ -10,7 +10,6 @@ EstimatorSettings findingLightBy(LightStrategy light) {
   s.light = light;
   return s;
 }
-EstimatorSettings misSampling() { return findingLightBy(LightStrategy::Mis); }
 
 void addPointLight(Scene& scene, const Vec3d& position, const Vec3f& intensity) {
   scene.pointLights.push_back({{}, Vec3f(position - scene.origin), intensity});

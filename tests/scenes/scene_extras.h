@@ -15,7 +15,6 @@ struct NamedStrategy {
 inline constexpr NamedStrategy kStrategies[] = {
     {LightStrategy::Nee, "nee"}, {LightStrategy::Bsdf, "bsdf"}, {LightStrategy::Mis, "mis"}};
 EstimatorSettings findingLightBy(LightStrategy light);
-EstimatorSettings misSampling();
 
 /// In the scene's world coordinates.
 void addPointLight(Scene& scene, const Vec3d& position, const Vec3f& intensity);

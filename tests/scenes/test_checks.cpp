@@ -7,7 +7,7 @@ namespace {
 class NamedCheck : public RenderTest, public testing::WithParamInterface<Check> {
 protected:
   static void holdsOn(const Kernel& kernel) {
-    Trial trial(GetParam().name, kernel);
+    Trial trial(GetParam().name, sharedContext(), kernel);
     GetParam().run(trial);
     for (const std::string& failure : trial.failures())
       ADD_FAILURE() << failure;
@@ -20,7 +20,7 @@ protected:
 
 TEST_P(NamedCheck, Holds) { holdsOn({}); }
 
-INSTANTIATE_TEST_SUITE_P(Scenes, NamedCheck, testing::ValuesIn(allChecks()),
+INSTANTIATE_TEST_SUITE_P(Scenes, NamedCheck, testing::ValuesIn(ownChecks()),
                          [](const auto& test) { return std::string(test.param.name); });
 
 } // namespace

@@ -11,13 +11,13 @@ class ClosedForm : public RenderTest {
 protected:
   /// As Trial::expectMean.
   static void expectMean(const Film& film, const Vec3d& expected, double tolerance) {
-    Trial trial("mean", {});
+    Trial trial("mean", sharedContext());
     trial.expectMean(film, expected, tolerance);
     for (const std::string& failure : trial.failures())
       ADD_FAILURE() << failure;
   }
   static void expectConstant(const Film& film, const Vec3d& value, int operations) {
-    Trial trial("constant", {});
+    Trial trial("constant", sharedContext());
     trial.expectConstant(film, value, operations, "value");
     for (const std::string& failure : trial.failures())
       ADD_FAILURE() << failure;

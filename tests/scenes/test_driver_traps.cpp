@@ -1,7 +1,7 @@
 // What lavapipe does to shaders in silence, and that the style of our kernels is safe from it.
 #include "scenes/render_fixture.h"
-#include "scenes/small_program.h"
 #include "scenes/test_shaders.h"
+#include "selftest/small_program.h"
 
 #include <algorithm>
 #include <array>
@@ -21,7 +21,7 @@ using LoopState = std::array<std::uint32_t, 4>; // outer, inner, count, unused
 
 std::vector<LoopState> runLoop(const std::vector<LoopState>& before, std::uint32_t budget) {
   std::vector<LoopState> after(before.size());
-  runSmallProgram(spirv::kLoopLimit, {{0U, budget}}, std::as_bytes(std::span{before}),
+  runSmallProgram(sharedContext(), {spirv::kLoopLimit, {{0U, budget}}}, std::as_bytes(std::span{before}),
                   std::as_writable_bytes(std::span{after}));
   return after;
 }
@@ -62,7 +62,7 @@ TEST_F(DriverTraps, StoresInsideTheLoopAreRight) {
   for (std::uint32_t i = 0; i < data.size(); ++i)
     data[i] = 1000 + i;
   std::vector<Kept> kept(kLanes);
-  runSmallProgram(spirv::kDivergence, {}, std::as_bytes(std::span{data}),
+  runSmallProgram(sharedContext(), {spirv::kDivergence}, std::as_bytes(std::span{data}),
                   std::as_writable_bytes(std::span{kept}));
   std::size_t wrong = 0;
   for (std::size_t lane = 0; lane < kLanes; ++lane) {

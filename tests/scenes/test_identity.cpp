@@ -86,7 +86,7 @@ TEST_F(Identity, ThreadsChangeNothing) {
     const std::ptrdiff_t others = threadsOfProcess();
     const gpu::Context& context = *contexts.emplace_back(std::make_unique<gpu::Context>(validated));
     threads.push_back(threadsOfProcess() - others);
-    films.push_back(renderScene(scene, spheresSetup(), context).film);
+    films.push_back(renderScene(context, scene, spheresSetup()).film);
     EXPECT_EQ(context.validationMessages(), 0U);
   }
   if (saved.empty())

@@ -16,7 +16,7 @@ TEST_F(Long, FurnaceOfAlbedo999) {
     const Rendered r =
         render(furnace(Vec3f(0.999F)),
                {.estimator = bsdfSampling(mode), .width = 96, .height = 96, .frames = kFrames});
-    Trial trial("furnace", {});
+    Trial trial("furnace", sharedContext());
     trial.expectMean(r.film, Vec3d(1.0 / (1.0 - double{0.999F})), 0.005);
     for (const std::string& failure : trial.failures())
       ADD_FAILURE() << failure;
@@ -30,7 +30,7 @@ class EveryMutation : public RenderTest, public testing::WithParamInterface<Muta
 TEST_P(EveryMutation, AgainstEveryCheck) {
   std::string noticed;
   for (const Check& check : allChecks()) {
-    Trial trial(check.name, {static_cast<std::uint32_t>(GetParam().mutation), true});
+    Trial trial(check.name, sharedContext(), mutatedKernel(static_cast<std::uint32_t>(GetParam().mutation)));
     check.run(trial);
     if (!trial.failures().empty())
       noticed += std::string(" ") + check.name;

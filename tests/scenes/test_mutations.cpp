@@ -27,13 +27,13 @@ constexpr Watch kWatches[] = {
     {Mutation::BackSampled, "litFromBehind"},
     {Mutation::UniformHemisphere, "litFloorByBsdf"},
     {Mutation::TriangleWarp, "litFloorByNee"},
-    {Mutation::AlwaysReflects, "refractedRay"},
-    {Mutation::NeverReflects, "refractedRay"},
-    {Mutation::FresnelOnePolarisation, "refractedRay"},
-    {Mutation::EtaInverted, "refractedRay"},
-    {Mutation::GlassAlwaysEntered, "glassSlab"},
-    {Mutation::ConductorAbsorptionDropped, "metalPlate"},
-    {Mutation::MirrorWeightDropped, "mirrorOfEmitter"},
+    {Mutation::AlwaysReflects, "d4-refraction"},
+    {Mutation::NeverReflects, "d4-refraction"},
+    {Mutation::FresnelOnePolarisation, "d4-refraction"},
+    {Mutation::EtaInverted, "d4-refraction"},
+    {Mutation::GlassAlwaysEntered, "d4-slab"},
+    {Mutation::ConductorAbsorptionDropped, "d9-metal"},
+    {Mutation::MirrorWeightDropped, "d9-mirror"},
     {Mutation::OcclusionIgnored, "shadowed"},
     {Mutation::OffsetDropped, "coincidentTwins"},
     {Mutation::OffsetInward, "litFloorByNee"},
@@ -43,7 +43,7 @@ constexpr Watch kWatches[] = {
     {Mutation::SampleIgnored, "samplesDiffer"},
     {Mutation::BounceLimitOffByOne, "furnaceByBounces"},
     {Mutation::BackgroundTwice, "backgroundOnly"},
-    {Mutation::ThroughputDropped, "mirrorOfEmitter"},
+    {Mutation::ThroughputDropped, "d9-mirror"},
     {Mutation::DirectThroughputDropped, "neeAgainstBsdf"},
     {Mutation::PixelNotJittered, "imageLayout"},
     {Mutation::ImageFlipped, "imageLayout"},
@@ -84,7 +84,7 @@ std::vector<Check> checksFor(Mutation mutation) {
 }
 
 std::vector<std::string> failuresOf(const Check& check, const MutationInfo& mutation) {
-  Trial trial(check.name, {static_cast<std::uint32_t>(mutation.mutation), true});
+  Trial trial(check.name, sharedContext(), mutatedKernel(static_cast<std::uint32_t>(mutation.mutation)));
   check.run(trial);
   return trial.failures();
 }
@@ -109,7 +109,7 @@ INSTANTIATE_TEST_SUITE_P(Of, Mutations, testing::ValuesIn(kMutations),
 TEST_F(RenderTest, TestBuildOfTheKernelIsTheShippedOne) {
   RenderSetup setup{.estimator = lightSampling(), .width = 32, .height = 32, .frames = 20};
   const Film shipped = render(twoLightRoom(), setup).film;
-  setup.kernel.testBuild = true;
+  setup.kernel = mutatedKernel(0);
   EXPECT_TRUE(identical(shipped, render(twoLightRoom(), setup).film));
 }
 

@@ -1,14 +1,14 @@
 #pragma once
 // The shaders of these tests alone, and the switch of the mutations.
 
+#include "selftest/render_scene.h"
 #include "shared/mutations.h"
-
-#include <cstdint>
-#include <span>
 
 namespace vkpt::spirv {
 
-extern const std::span<const std::uint32_t> kMutablePath;  ///< path.comp with VKPT_MUTATIONS
+extern const std::span<const std::uint32_t> kMutablePath; ///< path.comp with VKPT_MUTATIONS
+extern const std::span<const std::uint32_t> kMutableFunctions;
+extern const std::span<const std::uint32_t> kMutablePathRecords;
 extern const std::span<const std::uint32_t> kMutableMerge; ///< merge.comp with VKPT_MUTATIONS
 extern const std::span<const std::uint32_t> kLoopLimit;    ///< loop_limit.comp
 extern const std::span<const std::uint32_t> kDivergence;   ///< divergence.comp
@@ -17,7 +17,8 @@ extern const std::span<const std::uint32_t> kDivergence;   ///< divergence.comp
 
 namespace vkpt::test {
 
-inline constexpr std::uint32_t kMutationConstant = 127; ///< constant_id of kMutation
+/// The test build of the kernels with this mistake switched on; 0: with none.
+selftest::Kernel mutatedKernel(std::uint32_t mutation);
 
 enum class Mutation : std::uint32_t {
 #define VKPT_ENUMERATOR(id, Name, what) Name = id,

@@ -1,12 +1,13 @@
 // Mirror, metal and glass against Fresnel's equations.
-#include "scenes/check.h"
+#include "selftest/case.h"
+#include "selftest/scene_builder.h"
 
 #include <fmt/format.h>
 
 #include <cmath>
 #include <numbers>
 
-namespace vkpt::test {
+namespace vkpt::selftest {
 namespace {
 
 constexpr Vec3f kRadiance(3.0F, 2.0F, 1.0F);
@@ -106,13 +107,18 @@ void glassInWhite(Trial& t) {
                    "white surroundings");
 }
 
-constexpr Check kChecks[] = {
-    {"mirrorOfEmitter", mirrorOfEmitter}, {"metalPlate", metalPlate}, {"glassInWhite", glassInWhite},
-    {"refractedRay", refractedRay},       {"glassSlab", glassSlab},
+constexpr Case kCases[] = {
+    {"d4-slab",
+     "a slab of glass reflects 2 R / (1 + R) and lets the rest through, inner reflections included",
+     glassSlab},
+    {"d4-refraction", "glass lets 1 - R through, where Snell's law says", refractedRay},
+    {"d8-white-furnace", "a glass box in surroundings of radiance 1 can't be seen", glassInWhite},
+    {"d9-mirror", "a mirror reflects its reflectance, at every angle", mirrorOfEmitter},
+    {"d9-metal", "silver reflects by Fresnel's equations for a complex index", metalPlate},
 };
 
 } // namespace
 
-std::span<const Check> materialChecks() { return kChecks; }
+std::span<const Case> smoothCases() { return kCases; }
 
-} // namespace vkpt::test
+} // namespace vkpt::selftest

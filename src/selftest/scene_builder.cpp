@@ -1,10 +1,10 @@
-#include "scenes/scene_builder.h"
+#include "selftest/scene_builder.h"
 
 #include <algorithm>
 #include <cmath>
 #include <complex>
 
-namespace vkpt::test {
+namespace vkpt::selftest {
 
 Camera lookAt(const Vec3d& eye, const Vec3d& target, double fovDegrees, const Vec3d& up) {
   return {eye, target, up, fovDegrees, Camera::FovAxis::Horizontal};
@@ -183,4 +183,4 @@ double exactFresnelConductor(double cosI, double eta, double k) {
   return 0.5 * (std::norm(rs) + std::norm(rp));
 }
 
-} // namespace vkpt::test
+} // namespace vkpt::selftest

@@ -1,4 +1,4 @@
-#include "scenes/statistics.h"
+#include "selftest/statistics.h"
 
 #include <boost/math/distributions/normal.hpp>
 
@@ -8,7 +8,7 @@
 #include <cmath>
 #include <limits>
 
-namespace vkpt::test {
+namespace vkpt::selftest {
 namespace {
 
 constexpr int kTileEdge = 8;
@@ -92,4 +92,4 @@ bool identical(const Film& a, const Film& b) {
          });
 }
 
-} // namespace vkpt::test
+} // namespace vkpt::selftest

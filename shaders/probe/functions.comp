@@ -1,0 +1,133 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+// Runs one function of the library, or of the driver, on a row of arguments a lane (src/selftest/functions.h).
+
+#include "shared/language.h"
+#include "shared/structs.h"
+#include "shared/effects.h"
+#include "lib/records.glsl"
+#include "device_memory.glsl"
+#include "lib/library.glsl"
+
+layout(local_size_x = 64) in;
+
+layout(constant_id = 100) const uint kFunction = 0u;
+
+struct Row {
+  vec4 a;
+  vec4 b;
+};
+layout(set = 0, binding = kBindingCount, std430) readonly buffer ArgumentBlock { Row arguments[]; };
+layout(set = 0, binding = kBindingCount + 1u, std430) writeonly buffer ResultBlock { Row results[]; };
+
+Material plainMaterial() {
+  Material m;
+  m.bsdf = kBsdfDiffuse;
+  m.flags = 0u;
+  m.reflectance = vec3(0.0);
+  m.texture = kNoTexture;
+  m.emission = vec3(0.0);
+  m.lightPdf_A = 0.0;
+  m.specular = vec3(1.0);
+  m.roughness = 0.0;
+  m.ior = 1.5;
+  m.eta = vec3(1.0);
+  m.k = vec3(0.0);
+  m.absorption = vec3(0.0);
+  return m;
+}
+
+Row dielectric(Row x) {
+  float cosT;
+  float f = fresnelDielectric(x.a.x, x.a.y, cosT);
+  return Row(vec4(f, cosT, fresnelTransmittance(x.a.x, cosT, x.a.y), 0.0), vec4(0.0));
+}
+
+Row conductor(Row x) { return Row(vec4(fresnelConductor(x.a.x, x.a.y, x.a.z), 0.0, 0.0, 0.0), vec4(0.0)); }
+
+// a: wo, exponent; b: wi. The normal is +z.
+Row phongValue(Row x) {
+  Material m = plainMaterial();
+  m.roughness = x.a.w;
+  BsdfValue v = evaluatePhong(m, x.a.xyz, x.b.xyz, vec3(0.0, 0.0, 1.0));
+  return Row(vec4(v.f, v.pdf_w), vec4(0.0));
+}
+
+// a: wo, exponent; b: three random numbers.
+Row phongSample(Row x) {
+  Material m = plainMaterial();
+  m.roughness = x.a.w;
+  vec3 wi = samplePhongDirection(m, x.a.xyz, vec3(0.0, 0.0, 1.0), x.b.xyz);
+  BsdfValue v = evaluatePhong(m, x.a.xyz, wi, vec3(0.0, 0.0, 1.0));
+  return Row(vec4(wi, v.pdf_w), vec4(v.f, 0.0));
+}
+
+// Metal that reflects everything. a: wo, alpha; b: two random numbers, whether Beckmann's.
+Row roughSample(Row x) {
+  Material m = plainMaterial();
+  m.roughness = x.a.w;
+  m.k = vec3(1e4);
+  m.flags = x.b.z > 0.0 ? kMaterialBeckmann : 0u;
+  BsdfSample s = sampleRoughConductor(m, x.a.xyz, vec3(0.0, 0.0, 1.0), x.b.xy);
+  return Row(vec4(s.wi, s.pdf_w), vec4(s.weight, 0.0));
+}
+
+// a: of one strategy, of the other.
+Row weight(Row x) { return Row(vec4(misWeight(x.a.x, x.a.y), 0.0, 0.0, 0.0), vec4(0.0)); }
+
+// a.x: 32 random bits.
+Row unit(Row x) { return Row(vec4(toUnit(floatBitsToUint(x.a.x)), 0.0, 0.0, 0.0), vec4(0.0)); }
+
+// a: pixel, sample, block, key, as bits.
+Row random(Row x) {
+  uvec4 v = floatBitsToUint(x.a);
+  return Row(uintBitsToFloat(randomBlock(v.x, v.y, v.z, v.w)), vec4(0.0));
+}
+
+Row arithmetic(Row x) {
+  return Row(vec4(x.a.x / x.a.y, sqrt(x.a.x), exp(x.a.z), log(x.a.x)),
+             vec4(sin(x.a.w), cos(x.a.w), atan(x.a.z, x.a.w), pow(x.a.x, x.a.y)));
+}
+
+Row powers(Row x) { return Row(vec4(pow(x.a.x, x.a.y), exp(x.a.x), log(x.a.x), sqrt(x.a.x)), vec4(0.0)); }
+
+// How minimum and maximum treat NaN, and the slab test's own, of distances.
+Row extremes(Row x) {
+  vec4 low = slabMin(vec4(x.a.x), vec4(x.a.y));
+  vec4 high = slabMax(vec4(x.a.x), vec4(x.a.y));
+  return Row(vec4(min(x.a.x, x.a.y), max(x.a.x, x.a.y), clamp(x.a.x, 0.0, 1.0), 0.0),
+             vec4(low.x, high.x, isFinite(x.a.x) ? 1.0 : 0.0, x.a.x == x.a.x ? 1.0 : 0.0));
+}
+
+// Sums and products of numbers below the least normal one, and what a comparison makes of them.
+Row denormals(Row x) {
+  return Row(vec4(x.a.x + x.a.y, x.a.x * x.a.y, x.a.x, x.a.x > 0.0 ? 1.0 : 0.0), vec4(0.0));
+}
+
+// a.x a.y - a.z in one expression; and as the library's `precise` functions must have it.
+Row contraction(Row x) {
+  float loose = x.a.x * x.a.y - x.a.z * x.a.w;
+  float forth = edgeFunction(vec3(x.a.x, x.a.z, 0.0), vec3(x.a.w, x.a.y, 0.0));
+  float back = edgeFunction(vec3(x.a.w, x.a.y, 0.0), vec3(x.a.x, x.a.z, 0.0));
+  Pair p = twoProduct(x.a.x, x.a.y);
+  return Row(vec4(loose, forth, back, 0.0), vec4(p.high, p.low, 0.0, 0.0));
+}
+
+void main() {
+  uint i = gl_GlobalInvocationID.x;
+  if (i >= uint(arguments.length())) return;
+  Row x = arguments[i];
+  if (kFunction == 0u) results[i] = dielectric(x);
+  if (kFunction == 1u) results[i] = conductor(x);
+  if (kFunction == 2u) results[i] = phongValue(x);
+  if (kFunction == 3u) results[i] = phongSample(x);
+  if (kFunction == 4u) results[i] = roughSample(x);
+  if (kFunction == 5u) results[i] = weight(x);
+  if (kFunction == 6u) results[i] = unit(x);
+  if (kFunction == 7u) results[i] = random(x);
+  if (kFunction == 8u) results[i] = arithmetic(x);
+  if (kFunction == 9u) results[i] = powers(x);
+  if (kFunction == 10u) results[i] = extremes(x);
+  if (kFunction == 11u) results[i] = denormals(x);
+  if (kFunction == 12u) results[i] = contraction(x);
+}

@@ -1,0 +1,46 @@
+#pragma once
+// The hard cases: what breaks path tracers in float, each with figures that a program can judge.
+
+#include "selftest/trial.h"
+
+#include <functional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace vkpt::selftest {
+
+/// `run` leaves its figures in the trial; what it throws is a failure.
+struct Case {
+  const char* name; ///< its group and number, then its property: "d1-critical-angle"
+  const char* what; ///< a sentence: what holds
+  void (*run)(Trial&);
+};
+
+// One list a group; a file holds a group or a part of one.
+std::span<const Case> smoothCases(); ///< d: mirror, metal and glass
+
+/// All of them, in the order of the groups.
+std::vector<Case> allCases();
+/// The case of this name; null if there is none.
+const Case* findCase(std::string_view name);
+
+struct CaseResult {
+  Case which{};
+  double seconds = 0.0;
+  std::vector<Figure> figures;
+  std::vector<std::string> failures;
+  std::size_t conditions = 0; ///< looked at beside the figures
+  std::vector<Film> pictures;
+  [[nodiscard]] bool passed() const { return failures.empty(); }
+};
+
+/// Runs one case. A message of the validation layer is a failure.
+CaseResult runCase(const Case& which, const gpu::Context& context, const Kernel& kernel = {},
+                   std::uint32_t seed = 0);
+
+/// Writes the result's pictures as FOLDER/NAME-0.exr and .png, ...
+void keepPictures(const CaseResult& result, const fs::path& folder);
+
+} // namespace vkpt::selftest
