@@ -24,7 +24,7 @@ struct Work {
   vec3 deviations; // sum of squared deviations from it
 };
 
-uint randomKey() { return frame.seed ^ (job.firstSampleHigh * 0x9E3779B9u); }
+uint randomKey() { return frame.seed ^ MUTATE(SampleHighIgnored, job.firstSampleHigh * 0x9E3779B9u, 0u); }
 
 Path nextPath(Work work) { return cameraPath(work.pixel, work.x, work.y, job.firstSample + work.done, randomKey()); }
 
@@ -92,7 +92,7 @@ bool startWork(out Work work, out Path path) {
 
 void finishSample(inout Work work, vec3 L) {
   if (!(isFinite(L.x) && isFinite(L.y) && isFinite(L.z))) {
-    reportNonFinite();
+    if (MUTATE(FaultsHidden, true, false)) reportNonFinite();
     L = vec3(0.0); // counts as a sample of 0; the fault is reported
   }
   work.done += 1u;

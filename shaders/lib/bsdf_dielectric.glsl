@@ -4,12 +4,14 @@
 // Unpolarised reflectance at cosI in [0, 1]; eta: index on the other side over the index on this side. OUT cosT:
 // cosine on the other side, 0 under total internal reflection. Exactly 0 for eta = 1, at grazing incidence too.
 Float fresnelDielectric(Float cosI, Float eta, OUT(Float) cosT) {
-  Float sin2T = (1.0 - cosI * cosI) / (eta * eta);
-  cosT = sqrt(max(1.0 - sin2T, 0.0));
+  // (eta cosT)^2 from the cosine: 1 - sin^2 would cancel where the index is close to 1 and the incidence grazing.
+  Float square = MUTATE(RefractionCancels, cosI * cosI + (eta - 1.0) * (eta + 1.0),
+                        eta * eta * (1.0 - (1.0 - cosI * cosI) / (eta * eta)));
+  cosT = sqrt(MUTATE(RefractionUnclamped, max(square, 0.0), square)) / eta;
   Float rs = (cosI - eta * cosT) / (cosI + eta * cosT);
   Float rp = (eta * cosI - cosT) / (eta * cosI + cosT);
-  Float f = sin2T >= 1.0 ? 1.0 : MUTATE(FresnelOnePolarisation, 0.5 * (rs * rs + rp * rp), rs * rs);
-  return eta == 1.0 ? 0.0 : f;
+  Float f = square <= 0.0 ? 1.0 : MUTATE(FresnelOnePolarisation, 0.5 * (rs * rs + rp * rp), rs * rs);
+  return MUTATE(EqualIndicesUnguarded, eta == 1.0, false) ? 0.0 : f;
 }
 
 // The two ways from a smooth boundary.
@@ -53,5 +55,7 @@ DielectricBranches dielectricBranches(Material m, Vec3 wo, Vec3 n, Vec3 ng, bool
 }
 
 BsdfSample sampleDielectric(DielectricBranches b, Float u) {
-  return specularSample(normalize(u < b.share ? b.reflection : b.refraction), Vec3(1.0));
+  bool reflected = u < b.share;
+  Vec3 weight = Vec3(MUTATE(RefractionScaled, 1.0, reflected ? 1.0 : 0.44));
+  return specularSample(normalize(reflected ? b.reflection : b.refraction), weight);
 }

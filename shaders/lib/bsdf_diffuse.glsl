@@ -11,7 +11,8 @@ BsdfSample sampleDiffuse(Material m, Vec3 n, Vec3 ng, Vec2 u) {
   Vec3 local = squareToCosineHemisphere(u);
   BsdfSample s;
   s.wi = normalize(toWorld(makeFrame(n), local));
-  s.weight = dot(s.wi, ng) > 0.0 ? m.reflectance : Vec3(0.0); // an opaque surface: nothing goes through it
+  Vec3 albedo = MUTATE(AlbedoClamped, m.reflectance, min(m.reflectance, Vec3(1.0)));
+  s.weight = dot(s.wi, ng) > 0.0 ? albedo : Vec3(0.0); // an opaque surface: nothing goes through it
   s.pdf_w = local.z * kInvPi;
   s.specular = false;
   return s;

@@ -24,7 +24,9 @@ BsdfValue evaluatePhong(Material m, Vec3 wo, Vec3 wi, Vec3 n) {
   Vec3 mirrored = n * (2.0 * dot(n, wo)) - wo;
   Vec3 difference = wi - mirrored;
   Float versine = min(0.5 * dot(difference, difference), 1.0); // 1 - cos(alpha), without its cancellation
-  Float power = m.roughness > 0.0 ? exp(m.roughness * logOneMinus(versine)) : 1.0;
+  Float power = m.roughness > 0.0 ? MUTATE(PhongByPower, exp(m.roughness * logOneMinus(versine)),
+                                           pow(max(dot(wi, mirrored), 0.0), m.roughness))
+                                  : 1.0;
   Float lobe = versine < 1.0 ? power * (0.5 * kInvPi) : 0.0;
   Float share = phongSpecularShare(m);
   BsdfValue value;
@@ -39,8 +41,8 @@ Vec3 samplePhongDirection(Material m, Vec3 wo, Vec3 n, Vec3 u) {
   Vec3 mirrored = n * (2.0 * dot(n, wo)) - wo;
   bool specular = u.z < phongSpecularShare(m);
   // cos(alpha) = (1 - u)^(1 / (n + 1)), by its logarithm.
-  Float logCos = log(1.0 - u.x) / (m.roughness + 1.0);
-  Float sinAlpha = sqrt(oneMinusExp(2.0 * logCos));
+  Float logCos = MUTATE(PhongLogCancels, logOneMinus(u.x), log(1.0 - u.x)) / (m.roughness + 1.0);
+  Float sinAlpha = sqrt(MUTATE(PhongSineCancels, oneMinusExp(2.0 * logCos), 1.0 - exp(logCos) * exp(logCos)));
   Float phi = 2.0 * kPi * u.y;
   Vec3 lobe = Vec3(sinAlpha * cos(phi), sinAlpha * sin(phi), exp(logCos));
   Vec3 local = specular ? lobe : squareToCosineHemisphere(Vec2(u.x, u.y));

@@ -110,7 +110,8 @@ void mergeGroup(INOUT(Pair) mean, INOUT(Pair) deviations, uint nA, Float meanB, 
   Pair delta = addPairs(makePair(meanB, 0.0), negatePair(mean));
   Pair share = dividePairs(pairFromCount(nB), pairFromCount(MUTATE(MergeMeanUnweighted, nA + nB, 2u * nB))); // nB / n
   Pair between = multiplyPairs(multiplyPairs(delta, delta), multiplyPairs(share, pairFromCount(nA)));
-  Pair next = addPairs(mean, multiplyPairs(delta, share));
+  Pair next = MUTATE(PlainSums, addPairs(mean, multiplyPairs(delta, share)),
+                     makePair(mean.high + delta.high * share.high, 0.0));
   mean = makePair(next.high, MUTATE(MergeLowDropped, next.low, 0.0));
   Pair within = makePair(deviationsB, 0.0);
   deviations = addPairs(deviations, MUTATE(MergeBetweenDropped, addPairs(within, between), within));

@@ -76,5 +76,6 @@ LightSample sampleLight(Vec3 p, UVec4 random, UVec4 more) {
 // since squares overflow.
 Float misWeight(Float pdf_w, Float other) {
   Float ratio = other / pdf_w;
-  return MUTATE(MisWeightDropped, 1.0 / (1.0 + ratio * ratio), 1.0);
+  return MUTATE(WeightBySquares, MUTATE(MisWeightDropped, 1.0 / (1.0 + ratio * ratio), 1.0),
+                pdf_w * pdf_w / (pdf_w * pdf_w + other * other));
 }

@@ -11,7 +11,7 @@ bool isBeckmann(Material m) { return (m.flags & kMaterialBeckmann) != 0u; }
 // which would lose the peak of a nearly smooth surface.
 Vec2 facetAngle(Vec3 n, Vec3 h) {
   Vec3 across = cross(n, h);
-  return Vec2(dot(n, h), dot(across, across));
+  return Vec2(dot(n, h), MUTATE(FacetSineCancels, dot(across, across), 1.0 - dot(n, h) * dot(n, h)));
 }
 
 // D, per steradian, at facetAngle() `h`; Walter et al., eq. 25 and 33.

@@ -183,11 +183,11 @@ bool Li(INOUT(Path) path) {
       if (kRouletteMode == kRouletteConstant) survivalProbability = survival();
     }
     bool survives = toUnit(random.w) < MUTATE(RouletteCapped, survivalProbability, min(survivalProbability, 0.5));
-    goesOn = goesOn && maxComponent(beta) > 0.0 && survives;
+    goesOn = goesOn && MUTATE(BlackGoesOn, maxComponent(beta) > 0.0 && survives, maxComponent(beta) == 0.0 || survives);
     path.beta = beta / MUTATE(SurvivalNotDivided, survivalProbability, 1.0);
     if (kEffectBounceLimit && path.bounce >= bounceLimit && !(path.emit || kEffectBackground)) goesOn = false;
     if (kEffectPathKinds && historyDead(path.history)) goesOn = false;
-    if (goesOn && path.bounce >= kBounceCap) {
+    if (goesOn && path.bounce >= MUTATE(DepthCapped, kBounceCap, 64u)) {
       reportCappedPath();
       goesOn = false;
     }

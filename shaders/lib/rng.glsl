@@ -20,7 +20,9 @@ UVec4 pcg4d(UVec4 v) {
 }
 
 // 24 bits: in [0, 1), never 1.
-Float toUnit(uint bits) { return Float(bits >> 8u) * 5.9604644775390625e-8; }
+Float toUnit(uint bits) {
+  return MUTATE(UnitMayBeOne, Float(bits >> 8u) * 5.9604644775390625e-8, Float(bits) * 2.3283064365386963e-10);
+}
 
 // Blocks of random numbers a path uses, by bounce: the BSDF and roulette; two for each light sample. The camera's
 // stands alone. Branches of a split path differ in their key.
@@ -33,6 +35,7 @@ uint blockLight(uint bounce, uint i) {
 uint blockLightPoint(uint bounce, uint i) { return bounce + (2u + 2u * i) * kBlockStride; }
 
 UVec4 randomBlock(uint pixel, uint sampleLow, uint block, uint key) {
+  if (MUTATE(PixelKeyIsSum, false, true)) return pcg4d(UVec4(pixel + sampleLow, 0u, block, key));
   return pcg4d(UVec4(pixel, MUTATE(SampleIgnored, sampleLow, 0u), block, key));
 }
 uint branchKey(uint key, uint branch) { return key ^ (MUTATE(BranchKeyShared, branch, 0u) * 0x85EBCA6Bu); }

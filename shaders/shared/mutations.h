@@ -1,6 +1,6 @@
 // Known mistakes, one line each: X(id, Name, what is broken). A test build (VKPT_MUTATIONS) can switch one
-// on; tests/scenes shows that each of the first list is noticed, tests/bsdf of the second. In every other
-// build MUTATE is its right side and nothing else.
+// on; tests/scenes shows that each of the first list is noticed, tests/bsdf of the second, tests/stability of
+// the third. In every other build MUTATE is its right side and nothing else.
 #ifndef VKPT_SHARED_MUTATIONS_H
 #define VKPT_SHARED_MUTATIONS_H
 
@@ -73,11 +73,32 @@
   X(63, SlopeNotSolved, "Beckmann's visible slopes are the first guess")                                     \
   X(64, CoatFresnelDropped, "the coat of Nori's microfacet reflects all light")
 
+// Naive versions of what is written with care for float: tests/stability shows that the cases notice each.
+#define VKPT_STABILITY_MUTATIONS_LIST(X)                                                                     \
+  X(65, RefractionUnclamped, "the root of Snell's law is not kept from going below 0")                       \
+  X(66, EqualIndicesUnguarded, "Fresnel's equations as they stand for equal indices")                        \
+  X(67, PhongByPower, "Phong's lobe as a power of a float's cosine")                                         \
+  X(68, PhongSineCancels, "the sine of a sampled lobe from 1 - cos^2")                                       \
+  X(69, UnitMayBeOne, "32 random bits over 2^32, which rounds to 1")                                         \
+  X(70, WeightBySquares, "the power heuristic by squares of densities")                                      \
+  X(71, FacetSineCancels, "the angle of a facet from 1 - cos^2")                                             \
+  X(72, BlackGoesOn, "roulette divides a throughput of 0 by a probability of 0")                             \
+  X(73, AlbedoClamped, "albedos above 1 are clamped")                                                        \
+  X(74, DepthCapped, "paths end after 64 bounces")                                                           \
+  X(75, SampleHighIgnored, "random numbers repeat after 2^32 samples")                                       \
+  X(76, PlainSums, "the film sums in floats")                                                                \
+  X(77, PixelKeyIsSum, "pixel and sample are added up to seed the random numbers")                           \
+  X(78, RefractionScaled, "radiance is scaled by the square of an index whenever it is refracted")           \
+  X(79, FaultsHidden, "a sample that is not finite is dropped in silence")                                   \
+  X(87, RefractionCancels, "the cosine beyond a boundary from 1 - sin^2")                                    \
+  X(88, PhongLogCancels, "the logarithm of a number close to 1 as the driver has it")
+
 #ifdef VKPT_MUTATIONS
 layout(constant_id = 127) const uint kMutation = 0u;
 #define VKPT_MUTATION_ID(id, Name, what) const uint kMutation##Name = id;
 VKPT_MUTATIONS_LIST(VKPT_MUTATION_ID)
 VKPT_SAMPLING_MUTATIONS_LIST(VKPT_MUTATION_ID)
+VKPT_STABILITY_MUTATIONS_LIST(VKPT_MUTATION_ID)
 #undef VKPT_MUTATION_ID
 #define MUTATE(Name, right, wrong) (kMutation == kMutation##Name ? (wrong) : (right))
 #else

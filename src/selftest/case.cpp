@@ -11,7 +11,8 @@ namespace vkpt::selftest {
 
 std::vector<Case> allCases() {
   std::vector<Case> cases;
-  for (const auto& group : {smoothCases()})
+  for (const auto& group : {driverCases(), oracleCases(), formulaCases(), smoothCases(), phongCases(),
+                            pathCases(), sumCases(), randomCases()})
     cases.insert(cases.end(), group.begin(), group.end());
   return cases;
 }

@@ -18,8 +18,16 @@ struct Case {
   void (*run)(Trial&);
 };
 
-// One list a group; a file holds a group or a part of one.
-std::span<const Case> smoothCases(); ///< d: mirror, metal and glass
+// A list a file. d: dielectrics, conductors, glossy surfaces; m: sums, roulette, random numbers; t: the
+// driver.
+std::span<const Case> driverCases();
+std::span<const Case> oracleCases(); ///< device in float against host in double
+std::span<const Case> formulaCases();
+std::span<const Case> smoothCases(); ///< mirror, metal and glass
+std::span<const Case> phongCases();
+std::span<const Case> pathCases(); ///< furnaces, roulette, lights, colours
+std::span<const Case> sumCases();
+std::span<const Case> randomCases();
 
 /// All of them, in the order of the groups.
 std::vector<Case> allCases();

@@ -114,11 +114,13 @@ bool sameWay(const VertexRecord& device, const ReplayStep& host) {
   return glm::length(vectorOf(device.direction) - host.direction) < kMostTurn;
 }
 
-bool lit(const Vec3d& gathered) { return gathered.x + gathered.y + gathered.z != 0.0; }
-
 } // namespace
 
-Parting partingOf(const PathRecord& device, const Replay& host) {
+Parting partingOf(const PathRecord& device, const Replay& host, double least) {
+  // One of them has found light, and what the other has is next to nothing beside it.
+  const auto seenByOne = [least](const Vec3d& a, const Vec3d& b) {
+    return glm::length(a - b) > least && std::min(glm::length(a), glm::length(b)) < 1e-3 * glm::length(a - b);
+  };
   const std::size_t count = std::min<std::size_t>({device.count, host.steps.size(), kRecordedVertices});
   for (std::size_t i = 0; i < count; ++i) {
     const VertexRecord& d = device.vertices[i];
@@ -128,7 +130,7 @@ Parting partingOf(const PathRecord& device, const Replay& host) {
     const std::uint32_t triangle = h.hit ? h.triangle : 0xFFFFFFFFU;
     if (d.triangle != triangle || (h.hit && ((d.flags & kVertexFront) != 0) != h.front))
       return Parting::Triangle;
-    if (lit(vectorOf(d.gathered)) != lit(h.gathered))
+    if (seenByOne(vectorOf(d.gathered), h.gathered))
       return Parting::Shadow;
     if (((d.flags & kVertexGoesOn) != 0) != h.goesOn)
       return Parting::Roulette;

@@ -29,6 +29,7 @@ enum class Parting {
   Roulette, ///< one went on, the other ended
   Shadow,   ///< direct light was seen by one only
 };
-Parting partingOf(const shared::PathRecord& device, const Replay& host);
+/// Radiance below `least` counts as none: in float it may underflow.
+Parting partingOf(const shared::PathRecord& device, const Replay& host, double least);
 
 } // namespace vkpt::selftest

@@ -21,7 +21,13 @@ void runSmallProgram(const gpu::Context& context, const SmallProgram& program,
     commands.bindPipeline(vk::PipelineBindPoint::eCompute, pipeline.handle());
     commands.bindDescriptorSets(vk::PipelineBindPoint::eCompute, bindings.pipelineLayout(), 0, bindings.set(),
                                 {});
-    commands.dispatch(program.groups, 1, 1);
+    const auto written = vk::AccessFlagBits::eShaderWrite;
+    const vk::MemoryBarrier between(written, vk::AccessFlagBits::eShaderRead | written);
+    for (std::uint32_t i = 0; i < program.repeats; ++i) {
+      commands.dispatch(program.groups, 1, 1);
+      commands.pipelineBarrier(vk::PipelineStageFlagBits::eComputeShader,
+                               vk::PipelineStageFlagBits::eComputeShader, {}, between, {}, {});
+    }
     const vk::MemoryBarrier toHost(vk::AccessFlagBits::eShaderWrite, vk::AccessFlagBits::eHostRead);
     commands.pipelineBarrier(vk::PipelineStageFlagBits::eComputeShader, vk::PipelineStageFlagBits::eHost, {},
                              toHost, {}, {});

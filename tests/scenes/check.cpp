@@ -5,8 +5,8 @@ namespace vkpt::test {
 std::vector<Check> ownChecks() {
   std::vector<Check> checks;
   for (const auto& some :
-       {filmChecks(), lightChecks(), deltaChecks(), surfaceChecks(), phongChecks(), environmentChecks(),
-        filterChecks(), rouletteChecks(), kindChecks(), splittingChecks(), strategyChecks(), pathChecks()})
+       {filmChecks(), lightChecks(), deltaChecks(), surfaceChecks(), environmentChecks(), filterChecks(),
+        rouletteChecks(), kindChecks(), splittingChecks(), strategyChecks(), pathChecks()})
     checks.insert(checks.end(), some.begin(), some.end());
   return checks;
 }

@@ -22,7 +22,6 @@ std::span<const Check> deltaChecks();
 std::span<const Check> environmentChecks();
 std::span<const Check> filterChecks();
 std::span<const Check> kindChecks();
-std::span<const Check> phongChecks();
 std::span<const Check> rouletteChecks();
 std::span<const Check> splittingChecks();
 std::span<const Check> strategyChecks();

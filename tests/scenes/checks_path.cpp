@@ -38,15 +38,6 @@ void directByBounces(Trial& t) {
   t.expectMean(at(1).film, lit.radiance, 0.005, "one bounce");
 }
 
-void furnaceByThroughput(Trial& t) {
-  const Vec3d albedo(0.2, 0.5, 0.9);
-  const Film film =
-      t.render(furnace(albedo),
-               {.estimator = bsdfSampling(RouletteMode::Throughput), .width = 64, .height = 64, .frames = 96})
-          .film;
-  t.expectMean(film, 1.0 / (1.0 - albedo), 0.01);
-}
-
 /// Grey: survival by the mean of the channels would give a much brighter one an infinite variance.
 void furnaceByAlbedo(Trial& t) {
   const Film film =
@@ -152,7 +143,6 @@ constexpr Check kChecks[] = {
     {"lightAndBsdfIndependent", lightAndBsdfIndependent},
     {"twoBouncesByNee", twoBouncesByNee},
     {"furnaceByAlbedo", furnaceByAlbedo},
-    {"furnaceByThroughput", furnaceByThroughput},
     {"carriedPaths", carriedPaths},
     {"neeAgainstBsdf", neeAgainstBsdf},
 };

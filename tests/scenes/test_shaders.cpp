@@ -14,6 +14,7 @@ selftest::Spirv mutableBuild(selftest::Spirv shipped) {
       {spirv::kPath, spirv::kMutablePath},
       {spirv::kFunctions, spirv::kMutableFunctions},
       {spirv::kPathRecords, spirv::kMutablePathRecords},
+      {spirv::kSums, spirv::kMutableSums},
   };
   for (const auto& [original, build] : builds) {
     if (shipped.data() == original.data())

@@ -9,9 +9,8 @@ namespace vkpt::spirv {
 extern const std::span<const std::uint32_t> kMutablePath; ///< path.comp with VKPT_MUTATIONS
 extern const std::span<const std::uint32_t> kMutableFunctions;
 extern const std::span<const std::uint32_t> kMutablePathRecords;
+extern const std::span<const std::uint32_t> kMutableSums;
 extern const std::span<const std::uint32_t> kMutableMerge; ///< merge.comp with VKPT_MUTATIONS
-extern const std::span<const std::uint32_t> kLoopLimit;    ///< loop_limit.comp
-extern const std::span<const std::uint32_t> kDivergence;   ///< divergence.comp
 
 } // namespace vkpt::spirv
 
