@@ -43,7 +43,7 @@ std::string boundText(const Figure& f) {
 
 std::string row(const std::string& name, const std::string& figure, const std::string& value,
                 const std::string& bound, const char* verdict) {
-  return fmt::format("{:<26} {:<46} {:>10}  {:<11} {}\n", name, figure, value, bound, verdict);
+  return fmt::format("{:<24} {:<58} {:>10}  {:<11} {}\n", name, figure, value, bound, verdict);
 }
 
 std::string figureRow(const CaseResult& result, const Figure& f) {
@@ -79,7 +79,8 @@ std::string caseTableRows(const CaseResult& result, bool everything) {
   std::string rows;
   const auto closest = std::ranges::max_element(result.figures, {}, share);
   for (auto f = result.figures.begin(); f != result.figures.end(); ++f) {
-    if (everything || f == closest || f->verdict() == Verdict::Fail)
+    const bool told = f == closest && f->bound; // a note decides nothing
+    if (everything || told || f->verdict() == Verdict::Fail)
       rows += figureRow(result, *f);
   }
   if (rows.empty() || (everything && result.conditions > 0)) {

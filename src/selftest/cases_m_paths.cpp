@@ -19,7 +19,8 @@ void longPaths(Trial& t) {
   const Rendered r = t.render(furnace(Vec3f(kAlbedo)),
                               {.estimator = bsdfSampling(), .width = 64, .height = 64, .frames = 2});
   t.expectMean(r.film, Vec3d(1.0 / (1.0 - double{kAlbedo})), 0.04);
-  t.expect(r.counters.cappedPaths == 0, "a path was ended by the far cap");
+  t.note("paths of 8192 that the far cap ended",
+         static_cast<double>(r.counters.cappedPaths)); // 0.999^10000: 0.4
 }
 
 /// Survival by albedo gives every vertex the value 1 and a geometric number of them: mean 1 / (1 - a),

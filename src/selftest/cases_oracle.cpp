@@ -112,12 +112,12 @@ void compareWithOracle(Trial& t, const Scene& scene, const Limits& limits) {
 
 void oracleBlocks(Trial& t) {
   SceneReport report;
-  compareWithOracle(t, loadScene(std::vector<fs::path>{"cornell"}, report), {100.0, 1e-5, 1e-3});
+  compareWithOracle(t, loadScene(std::vector<fs::path>{"cornell"}, report), {100.0, 2e-6, 3e-4});
 }
 
 void oracleSpheres(Trial& t) {
   SceneReport report;
-  compareWithOracle(t, loadScene(std::vector<fs::path>{"cornell-spheres"}, report), {600.0, 1e-5, 1e-2});
+  compareWithOracle(t, loadScene(std::vector<fs::path>{"cornell-spheres"}, report), {600.0, 2e-6, 1e-3});
 }
 
 /// Phong, Nori's microfacets and rough metals and glass, in a lit box.
@@ -137,7 +137,7 @@ void oracleGlossy(Trial& t) {
           .box({-0.3, -0.8, 0.1}, {0.2, -0.3, 0.5}, Facing::Outward, roughGlass(1.5F, 0.2F))
           .camera(lookAt({0.0, 0.2, 0.95}, {0.0, -0.3, -0.4}, 80.0))
           .build();
-  compareWithOracle(t, scene, {300.0, 1e-5, 1e-2});
+  compareWithOracle(t, scene, {100.0, 3e-6, 3e-4});
 }
 
 /// Smooth glass that absorbs, one block in another, and a mirror.
@@ -154,7 +154,7 @@ void oracleGlass(Trial& t) {
                 mirror({0.9F, 0.8F, 0.7F}))
           .camera(lookAt({0.3, 0.2, 0.95}, {-0.1, -0.4, -0.3}, 80.0))
           .build();
-  compareWithOracle(t, scene, {300.0, 1e-5, 1e-2});
+  compareWithOracle(t, scene, {200.0, 4e-6, 3e-4});
 }
 
 constexpr Case kCases[] = {
