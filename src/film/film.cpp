@@ -1,8 +1,13 @@
 #include "film/film.h"
 
+#include <algorithm>
+#include <array>
 #include <cassert>
 #include <cmath>
 #include <limits>
+#include <numeric>
+#include <optional>
+#include <utility>
 
 namespace vkpt {
 
@@ -36,14 +41,72 @@ bool isMeasured(const PixelMoments& p) { return p.count > 0 && isFinite(p); }
 
 constexpr double kNormal95 = 1.6448536269514722; // 95 % quantile of the normal distribution
 
-/// Sum over the channels of (standard error)^2 / (a^2 + floor).
-double relativeSquares(const PixelMoments& p, double floor) {
+constexpr double kWellKnown = 1.0 / 8.0; // a standard error below this share of the mean
+/// From a pixel to those behind it whose crosses overlap its own.
+constexpr std::array<std::pair<int, int>, 6> kOverlaps{{{1, 0}, {2, 0}, {-1, 1}, {0, 1}, {1, 1}, {0, 2}}};
+
+/// The median over the pixel and its neighbours left, right, above and below, which keeps edges, corners and
+/// lines. Where there is none, or none that is measured, the opposite one counts twice.
+double crossMedian(const Film& film, int x, int y, int channel) {
+  const double own = film.at(x, y).mean[channel];
+  const auto valueAt = [&](int i, int j) -> std::optional<double> {
+    const bool inside = i >= 0 && i < film.width && j >= 0 && j < film.height;
+    return inside && isMeasured(film.at(i, j)) ? std::optional(film.at(i, j).mean[channel]) : std::nullopt;
+  };
+  const auto left = valueAt(x - 1, y), right = valueAt(x + 1, y), up = valueAt(x, y - 1),
+             down = valueAt(x, y + 1);
+  std::array<double, 5> values{own, left.value_or(right.value_or(own)), right.value_or(left.value_or(own)),
+                               up.value_or(down.value_or(own)), down.value_or(up.value_or(own))};
+  std::ranges::nth_element(values, values.begin() + 2);
+  return values[2];
+}
+
+/// Mean over the channels of (standard error)^2 / (b^2 + floor). A pixel's own mean stands for b where it is
+/// well known; else it goes up and down with its error: one that met a rare bright sample would count as
+/// bright.
+double relativeSquare(const Film& film, int x, int y, double floor) {
+  const PixelMoments& p = film.at(x, y);
   const Vec3d variance = p.varianceOfMean();
   double sum = 0.0;
-  for (int c = 0; c < 3; ++c)
-    if (variance[c] > 0.0)
-      sum += variance[c] / (p.mean[c] * p.mean[c] + floor);
-  return sum;
+  for (int c = 0; c < 3; ++c) {
+    if (!(variance[c] > 0.0))
+      continue;
+    const double a = p.mean[c];
+    const bool wellKnown = variance[c] < kWellKnown * kWellKnown * a * a;
+    const double b = wellKnown ? a : crossMedian(film, x, y, c);
+    sum += variance[c] / (b * b + floor);
+  }
+  return sum / 3.0;
+}
+
+/// Of every pixel; 0 where nothing is measured.
+std::vector<double> relativeSquares(const Film& film, double floor) {
+  std::vector<double> squares;
+  squares.reserve(film.pixels.size());
+  for (int y = 0; y < film.height; ++y)
+    for (int x = 0; x < film.width; ++x)
+      squares.push_back(isMeasured(film.at(x, y)) ? relativeSquare(film, x, y, floor) : 0.0);
+  return squares;
+}
+
+/// Of the measured pixels' squares. Those of two pixels are correlated where their crosses overlap, up to two
+/// steps away; a slow change over the image looks like that too, so this is rather too large.
+double varianceOfSum(const Film& film, const std::vector<double>& squares, double mean) {
+  const auto deviation = [&](int x, int y) {
+    const bool inside = x >= 0 && x < film.width && y >= 0 && y < film.height;
+    const auto i =
+        static_cast<std::size_t>(y) * static_cast<std::size_t>(film.width) + static_cast<std::size_t>(x);
+    return inside && isMeasured(film.pixels[i]) ? squares[i] - mean : 0.0;
+  };
+  double own = 0.0, overlapping = 0.0;
+  for (int y = 0; y < film.height; ++y)
+    for (int x = 0; x < film.width; ++x) {
+      const double here = deviation(x, y);
+      own += here * here;
+      for (const auto& [dx, dy] : kOverlaps) // each pair once
+        overlapping += 2.0 * here * deviation(x + dx, y + dy);
+    }
+  return own + std::max(overlapping, 0.0);
 }
 
 } // namespace
@@ -79,12 +142,10 @@ FilmStatistics filmStatistics(const Film& film) {
     return s;
   s.standardError = glm::sqrt(variance) / n;
   const double m = (s.mean.x + s.mean.y + s.mean.z) / 3.0;
-  PixelMoments squares; // of the pixels' relative squared errors, in the first channel
-  for (const PixelMoments& p : film.pixels)
-    if (isMeasured(p))
-      squares.merge({1, Vec3d(relativeSquares(p, (0.01 * m) * (0.01 * m)) / 3.0), Vec3d(0.0)});
-  s.relativeError = std::sqrt(squares.mean.x);
-  s.relativeErrorUpper = std::sqrt(squares.mean.x + kNormal95 * std::sqrt(squares.varianceOfMean().x));
+  const std::vector<double> squares = relativeSquares(film, (0.01 * m) * (0.01 * m));
+  const double mean = std::accumulate(squares.begin(), squares.end(), 0.0) / n;
+  s.relativeError = std::sqrt(mean);
+  s.relativeErrorUpper = std::sqrt(mean + kNormal95 * std::sqrt(varianceOfSum(film, squares, mean)) / n);
   return s;
 }
 

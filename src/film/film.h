@@ -51,11 +51,11 @@ struct FilmStatistics {
 };
 
 /// relMSE = mean over pixels and channels of (a - b)^2 / (b^2 + (0.01 m)^2), m the mean of b over pixels and
-/// channels; here (a - b)^2 is estimated by the squared standard error and b by a itself. A term 0 / 0 (an
-/// image that is black without doubt) is 0. The standard error of the image's mean is sqrt(sum of
-/// varianceOfMean) / pixels: pixels are taken as independent. One sample tells nothing of its error, so while
-/// any finite pixel has fewer than two, both errors are infinite: no rule that stops at an error can stop on
-/// them.
+/// channels; here (a - b)^2 is estimated by the squared standard error, and b by a where its standard error
+/// is below an eighth of it, else by the median of it and its four neighbours. A term 0 / 0 is 0. The
+/// standard error of the image's mean is sqrt(sum of varianceOfMean) / pixels: pixels are taken as
+/// independent. One sample tells nothing of its error, so while any finite pixel has fewer than two, both
+/// errors are infinite: no rule that stops at an error can stop on them.
 FilmStatistics filmStatistics(const Film& film);
 
 struct DevelopSettings {

@@ -1,0 +1,22 @@
+#pragma once
+// What is demanded of a scene, however long it takes. Each tells its figures.
+
+#include "calibration/calibration.h"
+
+#include <gtest/gtest.h>
+
+namespace vkpt::test {
+
+/// `error.relative` is within a tenth of what the seeds differ by; the scatter of the image's mean, and of
+/// each pixel, has the distribution that the standard errors say.
+void expectCalibrated(const Scene& scene, std::uint32_t seeds, std::uint64_t frames);
+
+/// With this target the true relative error, against a reference of so many frames, is at most 1.1 times it
+/// in nine of ten seeds.
+void expectTargetKept(const Scene& scene, double target, std::uint32_t seeds, std::uint64_t referenceFrames);
+
+/// The slope of log relMSE over log frames, and over log time, is -1 by a t-test over the seeds, whose
+/// standard error is below 0.1.
+void expectSlopeOfIndependentSamples(const Scene& scene, std::uint32_t seeds, std::uint64_t frames);
+
+} // namespace vkpt::test

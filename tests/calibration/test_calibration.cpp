@@ -1,0 +1,17 @@
+// Runs know their error, in a few seconds; test_calibration_long.cpp has more scenes.
+
+#include "calibration/calibration_checks.h"
+
+namespace vkpt::test {
+namespace {
+
+TEST(Calibration, OfTheCornellBox) { expectCalibrated(sceneOf("cornell", 48, 48), 24, 256); }
+
+TEST(TargetError, IsKeptInNineOfTenRuns) { expectTargetKept(sceneOf("cornell", 16, 16), 0.1, 40, 16384); }
+
+TEST(Slope, IsThatOfIndependentSamples) {
+  expectSlopeOfIndependentSamples(sceneOf("cornell", 16, 16), 8, 512);
+}
+
+} // namespace
+} // namespace vkpt::test
