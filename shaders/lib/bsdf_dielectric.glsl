@@ -4,9 +4,11 @@
 // Unpolarised reflectance at cosI in [0, 1]; eta: index on the other side over the index on this side. OUT cosT:
 // cosine on the other side, 0 under total internal reflection. Exactly 0 for eta = 1, at grazing incidence too.
 Float fresnelDielectric(Float cosI, Float eta, OUT(Float) cosT) {
-  // (eta cosT)^2 from the cosine: 1 - sin^2 would cancel where the index is close to 1 and the incidence grazing.
-  Float square = MUTATE(RefractionCancels, cosI * cosI + (eta - 1.0) * (eta + 1.0),
-                        eta * eta * (1.0 - (1.0 - cosI * cosI) / (eta * eta)));
+  // (eta cosT)^2, grouped so that nothing cancels at grazing incidence on an index close to 1, nor head-on below a
+  // large one.
+  Float fromSine = eta * eta - (1.0 - cosI * cosI);
+  Float fromCosine = cosI * cosI + (eta - 1.0) * (eta + 1.0);
+  Float square = MUTATE(RefractionCancels, eta > 0.5, false) ? fromCosine : fromSine;
   cosT = sqrt(MUTATE(RefractionUnclamped, max(square, 0.0), square)) / eta;
   Float rs = (cosI - eta * cosT) / (cosI + eta * cosT);
   Float rp = (eta * cosI - cosT) / (eta * cosI + cosT);

@@ -73,7 +73,7 @@ void criticalAngle(Trial& t) {
 void fresnelEnds(Trial& t) {
   std::vector<Row> rows;
   for (const float cosine : {0.0F, 1e-30F, 1e-8F, 1.0F}) {
-    for (const float eta : {1.0F, 1.3F, 1.5F, 3.0F})
+    for (const float eta : {1e-3F, 1.0F, 1.3F, 1.5F, 3.0F, 1e3F})
       rows.push_back({{cosine, eta, 0.0F, 0.0F}, {}});
   }
   const std::size_t ends = rows.size();
