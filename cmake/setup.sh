@@ -17,6 +17,7 @@ build libboost-dev                                      # Boost.Math: distributi
 test  libgtest-dev vulkan-validationlayers              # test framework; every device test is validated
 test  clang-format                                      # the formatting test
 test  chromium                                          # opens the reports
+test  clang libclang-rt-14-dev                          # libFuzzer
 bench libbenchmark-dev libembree-dev                    # timing, and the yardstick
 '
 

@@ -32,10 +32,10 @@ void checkTables(ByteView file, std::size_t at) {
     return;
   const std::size_t end = at + bigEndian(file, at);
   at += 2;
-  while (at < end && at + 1 + kLengths <= file.size()) {
-    std::size_t codes = 0;
-    for (std::size_t i = 1; i <= kLengths; ++i)
-      codes += file[at + i];
+  while (at < end && at < file.size()) {
+    std::size_t codes = 0; // stb goes on behind the end of the file, in zeros
+    for (std::size_t i = at + 1; i <= at + kLengths && i < file.size(); ++i)
+      codes += file[i];
     if (codes > kMostCodes)
       throw FormatError("broken JPEG: a Huffman table of more than 256 codes");
     at += 1 + kLengths + codes;
@@ -45,6 +45,8 @@ void checkTables(ByteView file, std::size_t at) {
 } // namespace
 
 void checkJpeg(ByteView file) {
+  if (file.size() >= 2 && file[0] == kMark && file[1] == kMark) // stb reads over fill bytes here
+    throw FormatError("broken JPEG: it does not start with FF D8");
   if (file.size() < 2 || file[0] != kMark || file[1] != kStart)
     return;
   // Wherever these two bytes stand: a reader that has lost its way can take them for a marker.

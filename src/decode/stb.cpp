@@ -17,10 +17,14 @@
 #define STBI_NO_STDIO
 #define STBI_NO_LINEAR
 // GCC does not see that what reads from memory never asks for a callback's buffer.
+#ifndef __clang__ // which has no such warning
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
+#endif
 #include <stb/stb_image.h>
+#ifndef __clang__
 #pragma GCC diagnostic pop
+#endif
 
 namespace vkpt::decode {
 

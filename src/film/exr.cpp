@@ -1,6 +1,7 @@
 // OpenEXR: every channel as 32-bit floats, metadata as typed attributes.
 
 #include "film/codecs.h"
+#include "film/exr_check.h"
 
 #include <OpenEXR/ImfChannelList.h>
 #include <OpenEXR/ImfDoubleAttribute.h>
@@ -74,66 +75,21 @@ void insertAttribute(Imf::Header& header, const std::string& name, const Metadat
       value);
 }
 
-constexpr std::size_t kFirstAttribute = 8; // behind magic number and version
-
-std::uint32_t word(ByteView file, std::size_t at) {
-  std::uint32_t v = 0;
-  std::memcpy(&v, file.data() + at, sizeof v);
-  return v;
-}
-
-/// No attribute claims to be larger than the file: OpenEXR allocates what a header says before it reads.
-void checkAttributeSizes(ByteView file) {
-  const auto fail = [] { throw FormatError("broken EXR: its header does not end"); };
-  std::size_t at = kFirstAttribute;
-  const auto skipText = [&] {
-    const auto end = std::find(file.begin() + static_cast<std::ptrdiff_t>(at), file.end(), 0);
-    if (end == file.end())
-      fail();
-    const std::size_t length = static_cast<std::size_t>(end - file.begin()) - at;
-    at += length + 1;
-    return length;
-  };
-  while (skipText() > 0) { // the name; an empty one ends the header
-    skipText();            // the type
-    if (file.size() - at < 4 || word(file, at) > file.size() - at - 4)
-      fail();
-    at += 4 + word(file, at);
-  }
-}
-
-/// How many samples a byte of the file can stand for. Deflate, the tightest but DWA, makes 1032 bytes of one,
-/// and a sample has two or more; DWA packs blocks of 64 samples before it deflates.
-double mostSamplesPerByte(Imf::Compression compression) {
-  const bool dwa = compression == Imf::DWAA_COMPRESSION || compression == Imf::DWAB_COMPRESSION;
-  return dwa ? 64.0 * 1032.0 : 1032.0;
-}
-
 /// The first look at a file, before OpenEXR and we allocate for it: a size that the file cannot hold is a
 /// broken file's, and shall not cost memory. Gives the size of the data window.
 Imf::Header checkedHeader(ByteView file, int& width, int& height) {
-  if (file.size() < kFirstAttribute || word(file, 0) != static_cast<std::uint32_t>(Imf::MAGIC))
-    throw FormatError("is no EXR file");
-  const std::uint32_t version = word(file, 4);
-  if ((version & (Imf::NON_IMAGE_FLAG | Imf::MULTI_PART_FILE_FLAG)) != 0U)
-    throw FormatError("EXR with deep pixels or several parts; only a single flat image can be read");
-  checkAttributeSizes(file);
+  int version = checkExrAttributes(file);
   InStream in(file);
-  in.seekg(kFirstAttribute);
+  in.seekg(kFirstExrAttribute);
   Imf::Header header;
-  int versionRead = static_cast<int>(version);
-  header.readFrom(in, versionRead);
-  header.sanityCheck((version & Imf::TILED_FLAG) != 0U);
+  header.readFrom(in, version);
+  header.sanityCheck((version & Imf::TILED_FLAG) != 0);
 
   const Imath::Box2i& window = header.dataWindow();
   const auto w = std::int64_t{window.max.x} - window.min.x + 1;
   const auto h = std::int64_t{window.max.y} - window.min.y + 1;
-  double samples = 0.0;
-  for (auto c = header.channels().begin(); c != header.channels().end(); ++c)
-    samples += static_cast<double>(w) * static_cast<double>(h);
   constexpr std::int64_t kMostPixelsOfASide = 1 << 28;
-  if (w < 1 || h < 1 || std::max(w, h) > kMostPixelsOfASide ||
-      samples > mostSamplesPerByte(header.compression()) * static_cast<double>(file.size()))
+  if (w < 1 || h < 1 || std::max(w, h) > kMostPixelsOfASide || !exrFileJustifies(file.size(), header, w, h))
     throw FormatError(fmt::format("broken EXR: {}x{} pixels in a file of {} bytes", w, h, file.size()));
   width = static_cast<int>(w);
   height = static_cast<int>(h);

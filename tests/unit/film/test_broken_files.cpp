@@ -150,6 +150,12 @@ TEST(ReadImage, AHugeSizeCostsNoMemory) {
   EXPECT_EQ(outcomeOf(folder / "x.exr", exrWith(kWindow, 8, {0, 0, 0x7F, 0})), Outcome::Refused);
   for (const unsigned char top : std::array<unsigned char, 3>{0x20, 0x7F, 0xFF}) // a text of half a GiB
     EXPECT_EQ(outcomeOf(folder / "x.exr", exrWith(kText, 0, {0, 0, 0, top})), Outcome::Refused);
+  // Sizes that are not their types': OpenEXR would read the rest of the header askew, and a size from the
+  // middle.
+  EXPECT_EQ(outcomeOf(folder / "x.exr", exrWith(std::string_view("dataWindow\0box2i\0", 17), 0, {0x11})),
+            Outcome::Refused);
+  EXPECT_EQ(outcomeOf(folder / "x.exr", exrWith(std::string_view("channels\0chlist\0", 16), 4, {0})),
+            Outcome::Refused);
   EXPECT_LT(peakMebibytes() - before, 100.0);
 }
 

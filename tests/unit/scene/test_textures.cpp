@@ -1,3 +1,4 @@
+#include "decode/crc32.h"
 #include "unit/scene/image_bytes.h"
 #include "unit/scene/scene_check.h"
 
@@ -320,6 +321,13 @@ TEST(BrokenImage, SizesThatTheFileCannotHoldAreRefused) {
   EXPECT_TRUE(refusal(tga).ends_with("broken image: the file ends too soon")) << refusal(tga);
   tga.replace(12, 4, "\xff\xff\xff\xff");
   EXPECT_TRUE(refusal(tga).ends_with("too many pixels")) << refusal(tga);
+  // PNG: bytes 16 to 19 are the width; the CRC of the header stands at 29.
+  std::string png = imageBytes("png", 2, 1, {1, 2, 3, 4, 5, 6});
+  png.replace(16, 4, std::string("\0\xff\0\0", 4));
+  const std::uint32_t crc = decode::crc32({reinterpret_cast<const unsigned char*>(png.data()) + 12, 17});
+  for (std::size_t i = 0; i < 4; ++i)
+    png[29 + i] = static_cast<char>(crc >> (24 - 8 * i));
+  EXPECT_TRUE(refusal(png).ends_with("broken PNG: it ends too soon for its size")) << refusal(png);
 }
 
 TEST(BrokenImage, JpegTablesOfTooManyCodesAreRefused) {
@@ -329,6 +337,9 @@ TEST(BrokenImage, JpegTablesOfTooManyCodesAreRefused) {
   EXPECT_EQ(refusal(jpg), "");
   jpg.replace(tables + 5, 2, "\xff\xff"); // of the lengths 1 and 2
   EXPECT_TRUE(refusal(jpg).ends_with("broken JPEG: a Huffman table of more than 256 codes")) << refusal(jpg);
+  jpg.resize(tables + 7); // the file ends in the table
+  EXPECT_TRUE(refusal(jpg).ends_with("broken JPEG: a Huffman table of more than 256 codes")) << refusal(jpg);
+  EXPECT_TRUE(refusal('\xff' + imageBytes("jpg", 2, 1, {1, 2, 3, 200, 5, 6})).ends_with("FF D8"));
   // The bytes of such a table in a comment are none.
   std::string comment = imageBytes("jpg", 2, 1, {1, 2, 3, 200, 5, 6});
   comment.insert(2, std::string("\xff\xfe\0\x18\xff\xc4\0\x14", 8) + std::string(18, '\xff'));
