@@ -202,12 +202,13 @@ void recordFault(uint cause) {
   if (i < kMaxFaultRecords) counters.records[i] = FaultRecord(g_pixel, g_sample, g_bounce, cause);
 }
 
+void reportCut() {
+  g_cutTraversals += 1u;
+  recordFault(kFaultCutTraversal);
+}
 void reportTraversal(uint steps, bool cut) {
   g_steps += subgroupMaximum(steps);
-  if (cut) {
-    g_cutTraversals += 1u;
-    recordFault(kFaultCutTraversal);
-  }
+  if (cut) reportCut();
 }
 void reportClosestRay() { g_raysClosest += 1u; }
 void reportShadowRay(bool traced) { g_raysShadow += traced ? 1u : 0u; }

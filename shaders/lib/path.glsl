@@ -34,25 +34,54 @@ void gather(INOUT(Path) path, uint history, Vec3 L) {
   path.L += counted;
 }
 
-// Radiance that the lights send to a surface and on to the viewer, by one light sample: f cos Le / pdf_w.
-Vec3 sampleDirect(Surface s, Vec3 wo, UVec4 random, UVec4 more, bool wanted) {
+// What a light sends by way of a vertex to the viewer, if nothing is in between.
+struct DirectLight {
+  Ray shadow;
+  Float end;    // of the shadow ray; 0: no light, no ray
+  uint target;  // triangle that the shadow ray leads to
+  Vec3 L;
+  uint history; // of the path that it makes
+};
+
+DirectLight noDirectLight() {
+  DirectLight d;
+  d.shadow.o = Vec3(0.0);
+  d.shadow.d = Vec3(0.0, 0.0, 1.0);
+  d.shadow.exclude = kNoTriangle;
+  d.end = 0.0;
+  d.target = kNoTriangle;
+  d.L = Vec3(0.0);
+  d.history = kHistoryEye;
+  return d;
+}
+
+// One light sample: radiance f cos Le / pdf_w.
+DirectLight sampleDirect(Surface s, Vec3 wo, UVec4 random, UVec4 more, bool wanted) {
   LightSample light = sampleLight(s.p, random, more);
   Vec3 origin = offsetRayOrigin(s.p, s.error, s.ng, light.wi);
   Vec3 span = light.end - origin;
   Float distance = length(span);
-  Ray shadow;
-  shadow.o = origin;
-  shadow.d = light.distant ? light.wi : span / distance;
-  shadow.exclude = kNoTriangle;
+  DirectLight d;
+  d.shadow.o = origin;
+  d.shadow.d = light.distant ? light.wi : span / distance;
+  d.shadow.exclude = kNoTriangle;
   bool facing = wanted && light.pdf_w > 0.0 && isSmooth(s.m.bsdf) && scattersTo(s, light.wi);
   Float end = light.distant ? kFarAway : distance;
-  bool visible = facing && MUTATE(OcclusionIgnored, !traceOccluded(shadow, facing ? end : 0.0, light.triangle), true);
+  d.end = facing ? end : 0.0;
+  d.target = light.triangle;
   BsdfValue bsdf = evaluateBsdf(s, wo, light.wi);
   Float weight = MUTATE(SurfaceCosineDropped, abs(dot(s.n, light.wi)), 1.0) / light.pdf_w;
   if (weighsStrategies() && !light.delta) {
     weight *= misWeight(light.pdf_w, bsdf.pdf_w / Float(kEffectLightSamples ? lightSamples() : 1u));
   }
-  return visible ? bsdf.f * light.L * weight : Vec3(0.0);
+  d.L = facing ? bsdf.f * light.L * weight : Vec3(0.0);
+  d.history = kHistoryEye;
+  return d;
+}
+
+// Adds it to the path, now that its shadow ray has ended.
+void gatherDirect(INOUT(Path) path, DirectLight d, bool occluded) {
+  gather(path, d.history, MUTATE(OcclusionIgnored, occluded, false) ? Vec3(0.0) : d.L);
 }
 
 // Weight of emission that BSDF sampling has found, where light sampling would have found it with density pdf_w.
@@ -98,9 +127,10 @@ void gatherBackground(INOUT(Path) path) {
   }
 }
 
-// Extends the path by one vertex. Returns whether it goes on.
-bool Li(INOUT(Path) path) {
-  Hit hit = traceClosest(path.ray);
+// Extends the path by the vertex that its ray has hit. Returns whether it goes on; what the lights send by way of the
+// vertex is `direct`, still to be gathered.
+bool extendPath(INOUT(Path) path, Hit hit, OUT(DirectLight) direct) {
+  direct = noDirectLight();
   Vec3 wo = -path.ray.d;
   bool goesOn = hit.triangle != kNoTriangle;
   if (!goesOn) {
@@ -125,17 +155,23 @@ bool Li(INOUT(Path) path) {
       uint history = afterDiffuse(path.history);
       bool wanted = !kEffectPathKinds || kindWanted(history);
       uint count = kEffectLightSamples ? lightSamples() : 1u;
-      Vec3 direct = Vec3(0.0);
+      Vec3 beta = MUTATE(DirectThroughputDropped, path.beta, Vec3(1.0));
+      Vec3 several = Vec3(0.0); // light samples: their shadow rays don't wait
       uint i = 0u;
       do {
         UVec4 random = pathRandom(path, blockLight(path.bounce, i));
         UVec4 more = random;
         if (kEffectEnvironment) more = pathRandom(path, blockLightPoint(path.bounce, i));
-        direct += sampleDirect(s, wo, random, more, wanted);
+        direct = sampleDirect(s, wo, random, more, wanted);
+        if (kEffectLightSamples && !traceOccluded(direct.shadow, direct.end, direct.target)) several += direct.L;
         i += 1u;
       } while (kEffectLightSamples && i < count);
-      direct = direct / Float(MUTATE(LightSamplesNotAveraged, count, 1u));
-      gather(path, history, MUTATE(DirectThroughputDropped, path.beta, Vec3(1.0)) * direct);
+      direct.L = beta * direct.L;
+      direct.history = history;
+      if (kEffectLightSamples) {
+        gather(path, history, beta * (several / Float(MUTATE(LightSamplesNotAveraged, count, 1u))));
+        direct = noDirectLight();
+      }
     }
 
     // INDIRECT: one direction from the BSDF; the emission it finds counts as far as no light sample found it.
@@ -196,5 +232,16 @@ bool Li(INOUT(Path) path) {
     resumeBranch(path);
     goesOn = true;
   }
+  return goesOn;
+}
+
+// Extends the path by one vertex. Returns whether it goes on.
+bool Li(INOUT(Path) path) {
+  Hit hit = traceClosest(path.ray);
+  DirectLight direct;
+  bool goesOn = extendPath(path, hit, direct);
+  bool waits = kEffectLightSampling && !kEffectLightSamples;
+  bool occluded = waits && traceOccluded(direct.shadow, direct.end, direct.target);
+  gatherDirect(path, direct, occluded);
   return goesOn;
 }

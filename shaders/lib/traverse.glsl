@@ -98,50 +98,88 @@ uint visitNode(uint node, SlabRay slab, Vec3 o, Float tMax, INOUT(TraversalStack
   return first == kMiss ? kTraversalPop : childOf(nodeChildren(node), first);
 }
 
-Hit traceClosest(Ray ray) {
-  Hit hit;
-  hit.t = kFarAway;
-  hit.b1 = 0.0;
-  hit.b2 = 0.0;
-  hit.triangle = kNoTriangle;
-  hit.id = kNoTriangle;
-  SlabRay slab = makeSlabRay(ray.d);
-  RayBasis basis = makeRayBasis(ray.d);
-  TraversalStack stack = emptyStack();
-  uint current = 0u;
-  uint steps = 0u;
+// A ray on its way through the BVH: one that looks for the closest hit, or for any.
+struct Traversal {
+  Ray ray;
+  SlabRay slab;
+  RayBasis basis;
+  TraversalStack stack;
+  uint current; // a child's reference, kTraversalPop or kTraversalDone
+  uint steps;   // taken so far
+  bool anyHit;
+  uint target;  // of a ray that looks for any hit: a triangle that is none
+  Hit hit;      // the closest so far
+};
+
+Traversal beginTraversal(Ray ray, Float tMax) {
+  Traversal t;
+  t.ray = ray;
+  t.slab = makeSlabRay(ray.d);
+  t.basis = makeRayBasis(ray.d);
+  t.stack = emptyStack();
+  t.current = tMax > 0.0 ? 0u : kTraversalDone;
+  t.steps = 0u;
+  t.anyHit = false;
+  t.target = kNoTriangle;
+  t.hit.t = tMax;
+  t.hit.b1 = 0.0;
+  t.hit.b2 = 0.0;
+  t.hit.triangle = kNoTriangle;
+  t.hit.id = kNoTriangle;
+  return t;
+}
+Traversal beginClosest(Ray ray) { return beginTraversal(ray, kFarAway); }
+// Makes a new one look for anything but `target` before its tMax.
+void lookForAny(INOUT(Traversal) t, uint target) {
+  t.anyHit = true;
+  t.target = target;
+  t.hit.id = 0u; // at tMax itself is no hit
+}
+
+// One step: a few nodes, one leaf, one pop.
+void stepTraversal(INOUT(Traversal) t) {
+  uint nodes = 0u;
   do {
-    uint nodes = 0u;
-    do {
-      if (current < kTraversalPop) current = visitNode(current, slab, ray.o, hit.t, stack);
-      nodes += 1u;
-    } while (current < kTraversalPop && nodes < kNodesPerStep);
-    bool more = (current & kLeafBit) != 0u;
-    do {
-      if (more) {
-        uint index = leafFirst(current);
-        Float t;
-        Float b1;
-        Float b2;
-        TriangleRecord tri = triangleRecord(index);
-        bool found = intersectTriangle(ray, basis, tri.v0, tri.v1, tri.v2, t, b1, b2);
-        if (found && index != ray.exclude && (t < hit.t || (t == hit.t && tri.id < hit.id))) {
-          hit.t = t;
-          hit.b1 = b1;
-          hit.b2 = b2;
-          hit.triangle = index;
-          hit.id = tri.id;
-        }
-        more = !leafIsLast(current);
-        current = more ? restOfLeaf(current) : kTraversalPop;
+    if (t.current < kTraversalPop) t.current = visitNode(t.current, t.slab, t.ray.o, t.hit.t, t.stack);
+    nodes += 1u;
+  } while (t.current < kTraversalPop && nodes < kNodesPerStep);
+  bool more = (t.current & kLeafBit) != 0u;
+  do {
+    if (more) {
+      uint index = leafFirst(t.current);
+      Float distance;
+      Float b1;
+      Float b2;
+      TriangleRecord tri = triangleRecord(index);
+      bool found = intersectTriangle(t.ray, t.basis, tri.v0, tri.v1, tri.v2, distance, b1, b2);
+      bool nearer = distance < t.hit.t || (distance == t.hit.t && tri.id < t.hit.id);
+      if (found && nearer && index != t.ray.exclude && index != t.target) {
+        t.hit.t = distance;
+        t.hit.b1 = b1;
+        t.hit.b2 = b2;
+        t.hit.triangle = index;
+        t.hit.id = tri.id;
       }
-    } while (more);
-    if (current == kTraversalPop) current = popChild(stack);
-    steps += 1u;
-  } while (current != kTraversalDone && steps < kMaxTraversalSteps);
-  reportTraversal(steps, current != kTraversalDone);
+      more = !leafIsLast(t.current);
+      t.current = more ? restOfLeaf(t.current) : kTraversalPop;
+    }
+  } while (more);
+  if (t.current == kTraversalPop) t.current = popChild(t.stack);
+  if (t.anyHit && t.hit.triangle != kNoTriangle) t.current = kTraversalDone;
+  t.steps += 1u;
+}
+
+bool traversalEnded(Traversal t, uint limit) { return t.current == kTraversalDone || t.steps >= limit; }
+bool traversalCut(Traversal t) { return t.current != kTraversalDone; } // of one that has ended
+
+Hit traceClosest(Ray ray) {
+  Traversal t = beginClosest(ray);
+  do {
+    stepTraversal(t);
+  } while (!traversalEnded(t, kMaxTraversalSteps));
+  reportTraversal(t.steps, traversalCut(t));
   reportClosestRay();
-  return hit;
+  return t.hit;
 }
 
 // Steps that one shadow ray may take: several at a vertex share them.
@@ -149,37 +187,12 @@ uint shadowSteps() { return kEffectLightSamples ? kMaxTraversalSteps / lightSamp
 
 // Whether anything but `target` lies on the ray before tMax.
 bool traceOccluded(Ray ray, Float tMax, uint target) {
-  bool occluded = false;
-  SlabRay slab = makeSlabRay(ray.d);
-  RayBasis basis = makeRayBasis(ray.d);
-  TraversalStack stack = emptyStack();
-  uint current = tMax > 0.0 ? 0u : kTraversalDone;
-  uint steps = 0u;
+  Traversal t = beginTraversal(ray, tMax);
+  lookForAny(t, target);
   do {
-    uint nodes = 0u;
-    do {
-      if (current < kTraversalPop) current = visitNode(current, slab, ray.o, tMax, stack);
-      nodes += 1u;
-    } while (current < kTraversalPop && nodes < kNodesPerStep);
-    bool more = (current & kLeafBit) != 0u;
-    do {
-      if (more) {
-        uint index = leafFirst(current);
-        Float t;
-        Float b1;
-        Float b2;
-        TriangleRecord tri = triangleRecord(index);
-        bool found = intersectTriangle(ray, basis, tri.v0, tri.v1, tri.v2, t, b1, b2);
-        occluded = occluded || (found && t < tMax && index != ray.exclude && index != target);
-        more = !leafIsLast(current) && !occluded;
-        current = more ? restOfLeaf(current) : kTraversalPop;
-      }
-    } while (more);
-    if (current == kTraversalPop) current = popChild(stack);
-    if (occluded) current = kTraversalDone;
-    steps += 1u;
-  } while (current != kTraversalDone && steps < shadowSteps());
-  reportTraversal(steps, current != kTraversalDone);
+    stepTraversal(t);
+  } while (!traversalEnded(t, shadowSteps()));
+  reportTraversal(t.steps, traversalCut(t));
   reportShadowRay(tMax > 0.0);
-  return occluded;
+  return t.hit.triangle != kNoTriangle;
 }

@@ -101,14 +101,14 @@ VKPT_CONSTANT uint kBounceCap = 10000u; // ends paths trapped by total internal 
 
 // lavapipe ends ALL loops of a subgroup together, in silence, after 65 535 iterations
 // (LP_MAX_TGSI_LOOP_ITERATIONS). A traversal step is one iteration of a loop with two loops inside, of at
-// most kNodesPerStep and kLeafTriangles iterations; a vertex starts only below kStepBudget and its two
-// traversals take at most kMaxTraversalSteps each. So the limit is never met: (2200 + 1 + 2 * 2500) * (1 + 4
-// + 4) < 65535.
+// most kNodesPerStep and kLeafTriangles iterations; a vertex starts only below kStepBudget, it counts as a
+// step, and its two traversals take at most kMaxTraversalSteps each. So the limit is never met: (2200 + 1 + 2
+// * 3500) * (1 + 2 + 4) < 65535.
 VKPT_CONSTANT uint kMaxStackDepth = 48u; // levels of the tree, and one
-VKPT_CONSTANT uint kNodesPerStep = 4u;
+VKPT_CONSTANT uint kNodesPerStep = 2u;
 VKPT_CONSTANT uint kLeafTriangles = 4u; // vkpt::kMaxLeafTriangles
 VKPT_CONSTANT uint kStepBudget = 2200u;
-VKPT_CONSTANT uint kMaxTraversalSteps = 2500u; // with several light samples their shadow rays share them
+VKPT_CONSTANT uint kMaxTraversalSteps = 3500u; // with several light samples their shadow rays share them
 VKPT_CONSTANT uint kMaxLightSamples = 16u;
 VKPT_CONSTANT uint kMaxSplitDepth = 16u; // a path's branches are told apart by 16 bits
 
