@@ -11,8 +11,9 @@ namespace vkpt::selftest {
 
 std::vector<Case> allCases() {
   std::vector<Case> cases;
-  for (const auto& group : {driverCases(), watertightCases(), shapeCases(), rayCases(), oracleCases(), formulaCases(),
-                            smoothCases(), phongCases(), pathCases(), sumCases(), randomCases(), imageCases()})
+  for (const auto& group :
+       {driverCases(), watertightCases(), shapeCases(), rayCases(), oracleCases(), formulaCases(),
+        smoothCases(), phongCases(), pathCases(), sumCases(), randomCases(), imageCases()})
     cases.insert(cases.end(), group.begin(), group.end());
   return cases;
 }

@@ -18,8 +18,8 @@ struct Case {
   void (*run)(Trial&);
 };
 
-// A list a file. w: geometry; o: where rays start and end, normals; d: dielectrics, conductors, glossy surfaces; m: sums,
-// roulette, random numbers; i: images and cameras; t: the driver.
+// A list a file. w: geometry; o: where rays start and end, normals; d: dielectrics, conductors, glossy
+// surfaces; m: sums, roulette, random numbers; i: images and cameras; t: the driver.
 std::span<const Case> driverCases();
 std::span<const Case> watertightCases(); ///< rays between triangles
 std::span<const Case> shapeCases();      ///< boxes, trees, sizes
