@@ -31,9 +31,6 @@ INSTANTIATE_TEST_SUITE_P(
         Noticed{GeometryMutation::AbsoluteOffset, "AbsoluteOffset", "o1-same-at-every-scale-and-place"},
         Noticed{GeometryMutation::NaiveGeometry, "NaiveGeometry", "o4-camera-in-a-corner"},
         Noticed{GeometryMutation::FrisvadFrame, "FrisvadFrame", "o4-camera-in-a-corner"},
-        Noticed{GeometryMutation::InfiniteInverse, "InfiniteInverse", "w10-rays-along-axes"},
-        Noticed{GeometryMutation::SlabsNotStretched, "SlabsNotStretched",
-                "w1-no-light-through-a-closed-mesh"},
         Noticed{GeometryMutation::TiesAtRandom, "TiesAtRandom", "w9-faces-in-one-plane"}),
     [](const auto& test) { return std::string(test.param.name); });
 
