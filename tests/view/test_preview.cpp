@@ -131,10 +131,11 @@ TEST_F(PreviewTest, FollowsTheWindowsSize) {
   preview.await("rests");
   expectShown(preview, "larger.png");
   screen().user("search --name vkpt windowsize 1 1"); // as small as it gets
-  screen().user("search --name vkpt windowunmap");
-  screen().user("search --name vkpt windowmap");
+  EXPECT_EQ(preview.await("resized")["size"], nlohmann::json({1, 1}));
+  screen().user("search --name vkpt windowunmap --sync");
+  screen().user("search --name vkpt windowmap --sync");
   screen().user("search --name vkpt windowsize 240 180");
-  preview.await("resized");
+  EXPECT_EQ(preview.await("resized")["size"], nlohmann::json({240, 180}));
   preview.await("rests");
   screen().user("search --name vkpt windowfocus");
   expectSilent(preview.quit());
