@@ -337,7 +337,7 @@ TEST(BadNoriFile, ManyElementsAreRead) {
   }
   const auto [scene, report] = folder.load(noriScene(meshes));
   EXPECT_EQ(scene.materials.size(), 3001U);
-  EXPECT_EQ(report.droppedDuplicates, 5998U) << "all at one place";
+  EXPECT_EQ(report.droppedDuplicates, 6000U) << "3001 squares of two triangles at one place";
 }
 
 /// Every object and step once.
