@@ -2,8 +2,10 @@
 
 // Where a triangle is hit, but not so close to an edge that rounding may put the point behind the neighbour there: from
 // there a ray would leave the scene.
+// 32 roundings of a float, in every program: they are to trace the same paths.
+CONSTANT Float kInward = 3.814697265625e-6;
 Vec3 pointWithin(TriangleRecord tri, Hit hit) {
-  Float inward = MUTATE(HitsUpToTheEdge, 32.0 * kEpsilon, 0.0);
+  Float inward = MUTATE(HitsUpToTheEdge, kInward, 0.0);
   Float b1 = hit.b1 + (1.0 / 3.0 - hit.b1) * inward;
   Float b2 = hit.b2 + (1.0 / 3.0 - hit.b2) * inward;
   return tri.v0 * (1.0 - b1 - b2) + tri.v1 * b1 + tri.v2 * b2;
