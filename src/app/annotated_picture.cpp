@@ -13,7 +13,7 @@ constexpr double kWidth = 1000.0; // of the drawing, whatever the picture has
 constexpr double kBadge = 15.0;   // radius of the circle about a number
 constexpr double kGap = 14.0;     // between an arrow's head and its spot
 
-constexpr const char* kStyle =
+constexpr const char* kSvgStyle =
     "text { font: bold 21px sans-serif; fill: #fff; stroke: #000; stroke-width: 5; paint-order: stroke; } "
     "circle { fill: #fff; stroke: #000; stroke-width: 2; } .number { fill: #000; stroke: none; text-anchor: "
     "middle; } line { stroke-linecap: round; } .under { stroke: #000; stroke-width: 7; } .over { stroke: "
@@ -38,7 +38,7 @@ std::string annotatedSvg(const fs::path& png, int width, int height,
       "<style>{}</style><defs><marker id='head' viewBox='0 0 10 10' refX='7' refY='5' markerWidth='5' "
       "markerHeight='5' orient='auto'><path d='M0 0L10 5L0 10z' fill='#fff' stroke='#000'/></marker></defs>\n"
       "<image href='{}' width='{:g}' height='{:g}'/>\n",
-      kWidth, h, kWidth, h, kStyle, html::dataUrl(png, "image/png"), kWidth, h);
+      kWidth, h, kWidth, h, kSvgStyle, html::dataUrl(png, "image/png"), kWidth, h);
   int number = 0;
   for (const Annotation& a : annotations) {
     const double x = a.labelX * kWidth, y = a.labelY * h;

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kHopeless = 10.0; // a relative error beyond which figures tell nothing
 
-constexpr const char* kStyle = R"(
+constexpr const char* kSheetStyle = R"(
 .plate figure img { width: 19rem; } .plate figcaption { max-width: 19rem; }
 .annotated { width: 100%; max-width: 46rem; }
 pre { background: #f6f6f6; padding: .6rem; font-size: .78rem; overflow-x: auto; }
@@ -135,7 +135,7 @@ void writeAssignmentPage(const fs::path& folder, const AssignmentResults& result
   body += results.sheet == Sheet::A ? answersOfA(book) : answersOfB(book);
   body += commands(results);
   film::writeTextFile(folder / "index.html",
-                      html::page(title, std::string(kReportStyle) + kStyle, body, kReportScript));
+                      html::page(title, std::string(kReportStyle) + kSheetStyle, body, kReportScript));
 }
 
 } // namespace vkpt

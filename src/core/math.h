@@ -1,6 +1,8 @@
 #pragma once
 // Vector types of the host. Names follow GLSL; lengths are in scene units, angles in radians unless said.
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include <glm/glm.hpp>
@@ -13,6 +15,11 @@ using Vec4f = glm::vec4;
 using Vec2d = glm::dvec2;
 using Vec3d = glm::dvec3;
 using Vec2i = glm::ivec2;
+
+inline bool isFinite(const Vec3d& v) {
+  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+inline double maxComponent(const Vec3d& v) { return std::max({v.x, v.y, v.z}); }
 
 /// Axis-aligned box; empty when any `lower` exceeds its `upper`.
 template<class T>

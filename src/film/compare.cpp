@@ -11,8 +11,6 @@ namespace {
 
 constexpr double kFloorShare = 0.01; // of the reference's mean: what keeps dark pixels from deciding relMSE
 
-bool isFinite(const Vec3d& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
-
 Vec3d colourAt(const Image& image, std::size_t pixel) {
   return {image.channels[0].values[pixel], image.channels[1].values[pixel], image.channels[2].values[pixel]};
 }

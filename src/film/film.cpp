@@ -35,8 +35,7 @@ Vec3d PixelMoments::varianceOfMean() const {
 
 namespace {
 
-bool isFinite(const Vec3d& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
-bool isFinite(const PixelMoments& p) { return isFinite(p.mean) && isFinite(p.m2); }
+bool isFinite(const PixelMoments& p) { return vkpt::isFinite(p.mean) && vkpt::isFinite(p.m2); }
 bool isMeasured(const PixelMoments& p) { return p.count > 0 && isFinite(p); }
 
 constexpr double kNormal95 = 1.6448536269514722; // 95 % quantile of the normal distribution

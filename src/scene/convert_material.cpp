@@ -20,10 +20,6 @@ constexpr double kDefaultExponent = 0.0;
 constexpr double kLargestExponent = 1e6;
 // Per unit of length: nothing is left after a millionth of that, and products with lengths stay finite.
 constexpr double kLargestAbsorption = 1e6;
-// Sums that are 1 in decimals are to count as 1.
-constexpr double kRounding = 1e-9;
-
-double largest(const Vec3d& colour) { return std::max({colour.x, colour.y, colour.z}); }
 
 std::string colourText(const Vec3d& c) {
   return fmt::format("{} {} {}", shortNumber(c.x), shortNumber(c.y), shortNumber(c.z));
@@ -53,11 +49,11 @@ private:
   Vec3d emission() {
     const Vec3d ka = m_mtl.ka.value_or(Vec3d(0.0));
     const Vec3d kd = albedo();
-    if (m_mtl.ke && largest(*m_mtl.ke) > 0.0) {
+    if (m_mtl.ke && maxComponent(*m_mtl.ke) > 0.0) {
       return *m_mtl.ke;
     }
-    const bool emits = largest(ka) > 1.0 || largest(kd) == 0.0;
-    if (!emits || largest(ka) == 0.0) {
+    const bool emits = maxComponent(ka) > 1.0 || maxComponent(kd) == 0.0;
+    if (!emits || maxComponent(ka) == 0.0) {
       return Vec3d(0.0);
     }
     m_report.notes.push_back(fmt::format("{}: material '{}' emits its Ka, {}",
@@ -76,7 +72,7 @@ private:
     }
     switch (model->shader) {
     case MtlShader::Phong:
-      if (largest(m_mtl.ks.value_or(Vec3d(0.0))) > 0.0) {
+      if (maxComponent(m_mtl.ks.value_or(Vec3d(0.0))) > 0.0) {
         makePhong(*m_mtl.ks);
       } else {
         makeDiffuse();
@@ -109,7 +105,7 @@ private:
   void makeDiffuse() {
     m_out.bsdf = BsdfType::Diffuse;
     const Vec3d most = colour();
-    if (largest(most) > 1.0) {
+    if (maxComponent(most) > 1.0) {
       warn(0, fmt::format("{} {} is above 1: it reflects more light than it gets; kept", kdName(),
                           colourText(most)));
     }
@@ -130,7 +126,7 @@ private:
     m_out.specular = Vec3f(ks);
     m_out.exponent = static_cast<float>(ns);
     const Vec3d most = colour();
-    if (largest(most + ks) > 1.0 + kRounding) {
+    if (maxComponent(most + ks) > 1.0 + kSumRounding) {
       warn(0, fmt::format("{} {} and Ks {} add up to more than 1: it gains energy; kept", kdName(),
                           colourText(most), colourText(ks)));
     }
@@ -174,7 +170,7 @@ private:
   /// What is left after the distance d is exp(-(1 / Kd - 1) d).
   void absorb() {
     const Vec3d kd = albedo();
-    if (largest(kd) > 1.0) {
+    if (maxComponent(kd) > 1.0) {
       warn(0, fmt::format("Kd {} of glass that absorbs is above 1; taken as 1, which absorbs nothing",
                           colourText(kd)));
     }

@@ -5,6 +5,8 @@ namespace vkpt {
 
 /// Of a colour's channel: products of a few such values stay in the range of float.
 inline constexpr double kLargestColour = 1e12;
+/// Sums that are 1 in decimals count as 1.
+inline constexpr double kSumRounding = 1e-9;
 
 /// Of an index of refraction: its square, and that of its inverse, stay in the range of float.
 inline constexpr double kLeastIor = 1e-6;

@@ -28,12 +28,9 @@ constexpr NoriRule kExponent{"0 to 1e6", [](double x) { return x >= 0.0 && x <= 
 constexpr NoriRule kCoatAlpha{"1e-4 to 10", [](double x) { return x >= kLeastRoughness && x <= 10.0; }};
 constexpr NoriRule kAlpha{"0 (smooth) to 10", [](double x) { return x >= 0.0 && x <= 10.0; }};
 
-double largest(const Vec3d& colour) { return std::max({colour.x, colour.y, colour.z}); }
-
 /// `sum` is what the surface reflects at most; sums of decimals may exceed 1 by their rounding.
 void warnOfGain(const NoriObject& object, std::string_view name, const Vec3d& sum) {
-  constexpr double kRounding = 1e-9;
-  if (largest(sum) > 1.0 + kRounding) {
+  if (maxComponent(sum) > 1.0 + kSumRounding) {
     object.warn(object.where(name),
                 fmt::format("{} {} {} {} is above 1: it reflects more light than it gets; kept", name,
                             shortNumber(sum.x), shortNumber(sum.y), shortNumber(sum.z)));
@@ -81,7 +78,7 @@ void readMicrofacet(NoriObject& object, Material& out) {
   const Vec3d kd = object.colour("kd", kShare, 0.5);
   out.bsdf = BsdfType::Microfacet;
   out.reflectance = Vec3f(kd);
-  out.specular = Vec3f(static_cast<float>(1.0 - largest(kd)));
+  out.specular = Vec3f(static_cast<float>(1.0 - maxComponent(kd)));
   out.roughness = static_cast<float>(object.number("alpha", kCoatAlpha, kDefaultAlpha));
   out.distribution = MicrofacetDistribution::Beckmann;
   readIors(object, out);

@@ -14,7 +14,7 @@ namespace vkpt {
 namespace {
 
 constexpr std::array<std::string_view, 1> kFilterTags{"rfilter"};
-constexpr std::array<std::string_view, 1> kTypes{"perspective"};
+constexpr std::array<std::string_view, 1> kCameraTypes{"perspective"};
 constexpr NoriRule kFov{"more than 0 and less than 180 degrees",
                         [](double x) { return x > 0.0 && x < 180.0; }};
 constexpr NoriRule kRadius{"more than 0, at most 100 pixels", [](double x) { return x > 0.0 && x <= 100.0; }};
@@ -111,7 +111,7 @@ void readUnused(NoriObject& object) {
 } // namespace
 
 void readNoriCamera(const XmlElement& camera, Scene& scene, SceneReport& report) {
-  static_cast<void>(noriTypeIndex(camera, kTypes));
+  static_cast<void>(noriTypeIndex(camera, kCameraTypes));
   NoriObject object(camera, kFilterTags, report);
   const auto toWorld = object.transform("toWorld");
   scene.camera = placeCamera(toWorld.value_or(glm::dmat4(1.0)), object.where("toWorld"));

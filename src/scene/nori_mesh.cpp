@@ -15,9 +15,8 @@ namespace vkpt {
 
 namespace {
 
-constexpr std::array<std::string_view, 1> kTypes{"obj"};
-constexpr std::array<std::string_view, 1> kBsdfTags{"bsdf"};
-constexpr std::array<std::string_view, 3> kChildTags{"bsdf", "emitter", "luminaire"};
+constexpr std::array<std::string_view, 1> kMeshTypes{"obj"};
+constexpr std::array<std::string_view, 3> kMeshParts{"bsdf", "emitter", "luminaire"};
 
 /// The side of a surface is that of its normals: two corners change places where the winding disagrees.
 void faceNormals(Triangle& t, const std::vector<Vec3d>& world, const std::vector<Vec3f>& normals) {
@@ -64,8 +63,8 @@ const NoriMeshFiles::File& NoriMeshFiles::open(const std::string& fileName, cons
 }
 
 void NoriGeometry::add(const XmlElement& mesh, Scene& scene) {
-  static_cast<void>(noriTypeIndex(mesh, kTypes));
-  NoriObject object(mesh, kChildTags, m_report);
+  static_cast<void>(noriTypeIndex(mesh, kMeshTypes));
+  NoriObject object(mesh, kMeshParts, m_report);
   const auto fileName = object.text("filename");
   if (!fileName) {
     throw SceneError(mesh.where, "a mesh without a file; give <string name=\"filename\" value=\"a.obj\"/>");

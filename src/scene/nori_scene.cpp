@@ -15,7 +15,7 @@ namespace vkpt {
 
 namespace {
 
-constexpr std::array<std::string_view, 7> kChildTags{"mesh",    "emitter",    "luminaire", "camera",
+constexpr std::array<std::string_view, 7> kSceneTags{"mesh",    "emitter",    "luminaire", "camera",
                                                      "sampler", "integrator", "evaluator"};
 constexpr std::array<std::string_view, 1> kMeshTags{"mesh"};
 constexpr std::array<std::string_view, 1> kCameraTags{"camera"};
@@ -60,7 +60,7 @@ Scene loadNoriScene(const SceneText& source, SceneReport& report) {
 
 Scene readNoriScene(const XmlElement& element, const SceneText& source, NoriMeshFiles& files,
                     SceneReport& report) {
-  const NoriObject object(element, kChildTags, report);
+  const NoriObject object(element, kSceneTags, report);
   const XmlElement* camera = object.onlyChild(kCameraTags);
   const XmlElement* integrator = object.onlyChild(kIntegratorTags);
   const XmlElement* sampler = object.onlyChild(kSamplerTags);

@@ -17,9 +17,8 @@ namespace vkpt {
 namespace {
 
 constexpr std::array<std::string_view, 2> kTTestTags{"bsdf", "scene"};
-constexpr std::array<std::string_view, 1> kBsdfTags{"bsdf"};
-constexpr std::array<std::string_view, 1> kSceneTags{"scene"};
-constexpr std::array<std::string_view, 2> kTypes{"ttest", "chi2test"};
+constexpr std::array<std::string_view, 1> kHostTags{"scene"};
+constexpr std::array<std::string_view, 2> kTestTypes{"ttest", "chi2test"};
 constexpr NoriRule kLevel{"more than 0 and less than 1", [](double x) { return x > 0.0 && x < 1.0; }};
 constexpr NoriRule kCells{"1 to 1000", [](double x) { return x >= 1.0 && x <= 1000.0; }};
 constexpr NoriRule kTwoOrMore{"2 or more", [](double x) { return x >= 2.0; }};
@@ -32,7 +31,7 @@ public:
       : m_source(source), m_report(report), m_files(source, report) {}
 
   void read(const XmlElement& test) {
-    if (noriTypeIndex(test, kTypes) == 0) {
+    if (noriTypeIndex(test, kTestTypes) == 0) {
       m_tests.tTests.push_back(readTTest(test));
     } else {
       m_tests.chi2Tests.push_back(readChi2Test(test));
@@ -63,7 +62,7 @@ private:
     test.references = readList(object, "references");
     test.angles = readList(object, "angles");
     test.bsdfs = readBsdfs(object);
-    const auto scenes = object.children(kSceneTags);
+    const auto scenes = object.children(kHostTags);
     checkCounts(object, test, scenes.size());
     for (const XmlElement* scene : scenes) {
       test.scenes.push_back(readNoriScene(*scene, m_source, m_files, m_report));

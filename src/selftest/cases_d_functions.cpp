@@ -239,7 +239,7 @@ void strategyWeights(Trial& t) {
   t.atMost("weight against double", off.value(), 1e-6, off.where());
 }
 
-constexpr Case kCases[] = {
+constexpr Case kFormulaCases[] = {
     {"d1-critical-angle", "Fresnel's share is finite, in [0, 1] and monotone 64 floats either side of it",
      criticalAngle},
     {"d2-fresnel-ends",
@@ -254,6 +254,6 @@ constexpr Case kCases[] = {
 
 } // namespace
 
-std::span<const Case> formulaCases() { return kCases; }
+std::span<const Case> formulaCases() { return kFormulaCases; }
 
 } // namespace vkpt::selftest

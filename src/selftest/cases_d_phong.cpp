@@ -98,7 +98,7 @@ void gain(Trial& t) {
   t.expectMean(lit(phong(Vec3f(1.0F), Vec3f(1.0F), 20.0F)), Vec3d(2.0), 0.01, "kd + ks = 2");
 }
 
-constexpr Case kCases[] = {
+constexpr Case kPhongCases[] = {
     {"d10-phong-head-on", "seen head-on Phong's lobe returns ks, for exponents to 1e6", phongHeadOn},
     {"d10-phong-in-white", "Phong's lobe against its integral, for angles and exponents", phongInWhite},
     {"d13-grazing", "Phong, silver and diffuse surfaces at 89 degrees", grazing},
@@ -107,6 +107,6 @@ constexpr Case kCases[] = {
 
 } // namespace
 
-std::span<const Case> phongCases() { return kCases; }
+std::span<const Case> phongCases() { return kPhongCases; }
 
 } // namespace vkpt::selftest

@@ -181,7 +181,7 @@ void trappedLight(Trial& t) {
   t.atLeast("paths of 64 that the cap ended", static_cast<double>(r.counters.cappedPaths), 64.0);
 }
 
-constexpr Case kCases[] = {
+constexpr Case kSmoothCases[] = {
     {"d4-slab",
      "a slab of glass reflects 2 R / (1 + R) and lets the rest through, inner reflections included",
      glassSlab},
@@ -197,6 +197,6 @@ constexpr Case kCases[] = {
 
 } // namespace
 
-std::span<const Case> smoothCases() { return kCases; }
+std::span<const Case> smoothCases() { return kSmoothCases; }
 
 } // namespace vkpt::selftest

@@ -223,7 +223,7 @@ void powerEdges(Trial& t) {
   t.expect(r[0].a[3] == 0.0F, "sqrt(0) is not 0");
 }
 
-constexpr Case kCases[] = {
+constexpr Case kDriverCases[] = {
     {"t-loop-limit", "loops under a budget are not cut, whatever the driver's limit", loopLimit},
     {"t-divergent-break", "a value stored before a divergent break is the lane's own", divergentBreak},
     {"t-precision", "division, roots, exp, log, sin, cos, atan and pow are as precise as Vulkan promises",
@@ -236,6 +236,6 @@ constexpr Case kCases[] = {
 
 } // namespace
 
-std::span<const Case> driverCases() { return kCases; }
+std::span<const Case> driverCases() { return kDriverCases; }
 
 } // namespace vkpt::selftest

@@ -43,13 +43,13 @@ void fieldsOfView(Trial& t) {
   }
 }
 
-constexpr Case kCases[] = {
+constexpr Case kImageCases[] = {
     {"i1-shapes-of-images", "of images of 1x1 to 16384x1 every pixel has its samples", shapesOfImages},
     {"i2-fields-of-view", "fields of view of 1e-6 and of 179.9 degrees span what they should", fieldsOfView},
 };
 
 } // namespace
 
-std::span<const Case> imageCases() { return kCases; }
+std::span<const Case> imageCases() { return kImageCases; }
 
 } // namespace vkpt::selftest

@@ -188,7 +188,7 @@ void fireflies(Trial& t) {
   t.note("brightest pixel over the mean", brightest / mean);
 }
 
-constexpr Case kCases[] = {
+constexpr Case kPathCases[] = {
     {"m1-long-paths", "a furnace of albedo 0.999: no cap on bounces or on survival", longPaths},
     {"m2-roulette-variance", "roulette by albedo has the mean, the variance and the rays of a geometric law",
      rouletteVariance},
@@ -205,6 +205,6 @@ constexpr Case kCases[] = {
 
 } // namespace
 
-std::span<const Case> pathCases() { return kCases; }
+std::span<const Case> pathCases() { return kPathCases; }
 
 } // namespace vkpt::selftest

@@ -46,15 +46,15 @@ std::vector<Numbers> blocks(const Trial& t, std::span<const Row> counters) {
   return numbers;
 }
 
-constexpr std::uint32_t kEdge = 256; // pixels, and samples
+constexpr std::uint32_t kSquareEdge = 256; // pixels, and samples
 constexpr std::uint32_t kKey = 12345;
 
 /// By pixel (column) and sample (row).
 std::vector<Row> counters(std::uint32_t pixelShift, std::uint32_t sampleShift, std::uint32_t block = 0,
                           std::uint32_t key = kKey) {
   std::vector<Row> rows;
-  for (std::uint32_t sample = 0; sample < kEdge; ++sample) {
-    for (std::uint32_t pixel = 0; pixel < kEdge; ++pixel)
+  for (std::uint32_t sample = 0; sample < kSquareEdge; ++sample) {
+    for (std::uint32_t pixel = 0; pixel < kSquareEdge; ++pixel)
       rows.push_back(bitsRow(pixel + pixelShift, sample + sampleShift, block, key));
   }
   return rows;
@@ -90,7 +90,7 @@ void correlations(Trial& t) {
 void noRepeats(Trial& t) {
   std::vector<Numbers> all;
   for (std::uint32_t tile = 0; tile < 16; ++tile) {
-    const std::vector<Numbers> some = blocks(t, counters(tile * kEdge, 0));
+    const std::vector<Numbers> some = blocks(t, counters(tile * kSquareEdge, 0));
     all.insert(all.end(), some.begin(), some.end());
   }
   std::ranges::sort(all);
@@ -100,7 +100,7 @@ void noRepeats(Trial& t) {
   t.atMost("blocks of random numbers that repeat, of 2^20", static_cast<double>(repeats), 0.0);
 }
 
-constexpr Case kCases[] = {
+constexpr Case kRandomCases[] = {
     {"m6-no-repeats", "no two of a million pixels and samples have the same random numbers", noRepeats},
     {"m7-unit-interval", "random numbers are at least 0 and never 1", unitInterval},
     {"m8-correlation", "neighbours in pixel, sample, bounce, seed and dimension are independent",
@@ -109,6 +109,6 @@ constexpr Case kCases[] = {
 
 } // namespace
 
-std::span<const Case> randomCases() { return kCases; }
+std::span<const Case> randomCases() { return kRandomCases; }
 
 } // namespace vkpt::selftest

@@ -99,13 +99,13 @@ void longStreams(Trial& t) {
   }
 }
 
-constexpr Case kCases[] = {
+constexpr Case kSumCases[] = {
     {"m5-accumulation", "2^26 samples of known streams: means and variances to 1e-6, a constant exactly",
      longStreams},
 };
 
 } // namespace
 
-std::span<const Case> sumCases() { return kCases; }
+std::span<const Case> sumCases() { return kSumCases; }
 
 } // namespace vkpt::selftest

@@ -174,7 +174,7 @@ void shadowTerminator(Trial& t) {
   }
 }
 
-constexpr Case kCases[] = {
+constexpr Case kRayCases[] = {
     {"o1-same-at-every-scale-and-place", "scaled by 1e-4 and 1e6 and moved by 1e5, a room is the same",
      sameAtEveryScale},
     {"o2-far-from-the-middle", "a room 100 sizes from the middle of its scene is the same", farFromTheMiddle},
@@ -189,6 +189,6 @@ constexpr Case kCases[] = {
 
 } // namespace
 
-std::span<const Case> rayCases() { return kCases; }
+std::span<const Case> rayCases() { return kRayCases; }
 
 } // namespace vkpt::selftest

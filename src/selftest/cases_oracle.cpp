@@ -15,8 +15,8 @@
 namespace vkpt::selftest {
 namespace {
 
-constexpr int kEdge = 64;
-constexpr std::uint32_t kSamples = 4; // of each pixel
+constexpr int kImageEdge = 64;
+constexpr std::uint32_t kPathsOfPixel = 4; // of each pixel
 
 /// What a scene may do. Paths part where rounding decides a comparison: at a silhouette, at a lobe's share,
 /// at roulette; independently of each other, so their number is Poisson's. Curved glass and narrow lobes
@@ -98,14 +98,15 @@ void judge(Trial& t, Comparison& c, const Limits& limits) {
 }
 
 void compareWithOracle(Trial& t, const Scene& scene, const Limits& limits) {
-  const OracleScene s = oracleScene(scene, misSampling(), kEdge, kEdge, t.seed("oracle"));
+  const OracleScene s = oracleScene(scene, misSampling(), kImageEdge, kImageEdge, t.seed("oracle"));
   Comparison c;
   constexpr int kStep = 7; // pixels
-  for (int i = 0; i < kEdge * kEdge; i += kStep)
-    c.scale +=
-        brightness(replay64(s.packed, s.scene, s.effects, s.settings, i % kEdge, i / kEdge, kSamples).value) *
-        (double{kStep} / (kEdge * kEdge));
-  for (std::uint32_t sample = 0; sample < kSamples; ++sample)
+  for (int i = 0; i < kImageEdge * kImageEdge; i += kStep)
+    c.scale += brightness(replay64(s.packed, s.scene, s.effects, s.settings, i % kImageEdge, i / kImageEdge,
+                                   kPathsOfPixel)
+                              .value) *
+               (double{kStep} / (kImageEdge * kImageEdge));
+  for (std::uint32_t sample = 0; sample < kPathsOfPixel; ++sample)
     compareSample(t, s, sample, c);
   judge(t, c, limits);
 }
@@ -157,7 +158,7 @@ void oracleGlass(Trial& t) {
   compareWithOracle(t, scene, {200.0, 4e-6, 3e-4});
 }
 
-constexpr Case kCases[] = {
+constexpr Case kOracleCases[] = {
     {"oracle-blocks", "the box with the blocks: the device's paths in float are the host's in double",
      oracleBlocks},
     {"oracle-spheres", "the same with a silver and a glass sphere", oracleSpheres},
@@ -167,6 +168,6 @@ constexpr Case kCases[] = {
 
 } // namespace
 
-std::span<const Case> oracleCases() { return kCases; }
+std::span<const Case> oracleCases() { return kOracleCases; }
 
 } // namespace vkpt::selftest

@@ -145,7 +145,7 @@ void leastScenes(Trial& t) {
   t.expectMean(lamp, Vec3d(1.0), 0.03, "one emitter");
 }
 
-constexpr Case kCases[] = {
+constexpr Case kShapeCases[] = {
     {"w5-slivers", "a lamp 1e-5 wide gives the light of its polygon", slivers},
     {"w9-faces-in-one-plane", "of twins the first is seen, everywhere", coplanarFaces},
     {"w10-rays-along-axes", "rays along an axis from within the planes of flat boxes hit", raysAlongAxes},
@@ -157,6 +157,6 @@ constexpr Case kCases[] = {
 
 } // namespace
 
-std::span<const Case> shapeCases() { return kCases; }
+std::span<const Case> shapeCases() { return kShapeCases; }
 
 } // namespace vkpt::selftest

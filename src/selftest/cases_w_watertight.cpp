@@ -79,7 +79,7 @@ void tJunctions(Trial& t) {
   t.atMost("share of rays through the seam", sum / pixels, 1e-5, "gaps of the model's own");
 }
 
-constexpr Case kCases[] = {
+constexpr Case kWatertightCases[] = {
     {"w1-no-light-through-a-closed-mesh",
      "1e7 rays within a closed rough mesh see nothing of the lights outside", leakCase},
     {"w2-rays-at-vertices-and-edges", "rays aimed at shared vertices and edges hit one of the triangles",
@@ -116,6 +116,6 @@ void lightOutsideStaysOutside(Trial& t, double rays) {
            fmt::format("{:.3g} rays in folds", traced));
 }
 
-std::span<const Case> watertightCases() { return kCases; }
+std::span<const Case> watertightCases() { return kWatertightCases; }
 
 } // namespace vkpt::selftest

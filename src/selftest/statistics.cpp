@@ -13,7 +13,7 @@ namespace {
 
 constexpr int kTileEdge = 8;
 
-Estimate estimateOf(const Film& film, int x0, int y0, int x1, int y1) {
+Estimate estimateOfTile(const Film& film, int x0, int y0, int x1, int y1) {
   Estimate e;
   for (int y = y0; y < y1; ++y) {
     for (int x = x0; x < x1; ++x) {
@@ -39,14 +39,14 @@ double sidakBound(std::size_t tests, double alpha) {
   return boost::math::quantile(boost::math::complement(boost::math::normal(), 0.5 * each));
 }
 
-Estimate estimateOf(const Film& film) { return estimateOf(film, 0, 0, film.width, film.height); }
+Estimate estimateOf(const Film& film) { return estimateOfTile(film, 0, 0, film.width, film.height); }
 
 std::vector<Estimate> tileEstimates(const Film& film) {
   std::vector<Estimate> tiles;
   for (int y = 0; y < film.height; y += kTileEdge) {
     for (int x = 0; x < film.width; x += kTileEdge) {
-      tiles.push_back(
-          estimateOf(film, x, y, std::min(x + kTileEdge, film.width), std::min(y + kTileEdge, film.height)));
+      tiles.push_back(estimateOfTile(film, x, y, std::min(x + kTileEdge, film.width),
+                                     std::min(y + kTileEdge, film.height)));
     }
   }
   return tiles;

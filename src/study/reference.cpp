@@ -7,8 +7,6 @@
 namespace vkpt {
 namespace {
 
-bool isFinite(const Vec3d& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
-
 /// Adds squares (of a difference, or a variance) at a pixel whose reference is b.
 void add(SquaredError& sum, const Vec3d& squares, const Vec3d& b, double floor) {
   for (int c = 0; c < 3; ++c) {

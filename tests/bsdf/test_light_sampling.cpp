@@ -14,7 +14,7 @@
 namespace vkpt::test {
 namespace {
 
-constexpr std::uint32_t kDraws = 1U << 18U;
+constexpr std::uint32_t kLightDraws = 1U << 18U;
 constexpr double kTests = 16; // chi-square tests in this file
 
 void expectLikely(const ChiSquare& result, const std::string& what) {
@@ -48,7 +48,7 @@ TEST_F(Sampling, PointsOfATriangleAreUniform) {
   double squares = 0.0;
   const Vec3d origin(probe.constants().eye.x, probe.constants().eye.y, probe.constants().eye.z);
   const Scene scene = builder.build();
-  for (const LightDraw& d : probe.sampleLight(Vec3f(p - scene.origin), kDraws, seed())) {
+  for (const LightDraw& d : probe.sampleLight(Vec3f(p - scene.origin), kLightDraws, seed())) {
     const Vec3d at = Vec3d(d.end) + scene.origin - a;
     const double b1 = glm::dot(glm::cross(at, ac), normal) / glm::dot(normal, normal);
     const double b2 = glm::dot(glm::cross(ab, at), normal) / glm::dot(normal, normal);
@@ -56,11 +56,11 @@ TEST_F(Sampling, PointsOfATriangleAreUniform) {
     observed[grid.cellOf({r * r, b2 / r})] += 1.0;
     ASSERT_GT(d.pdf_w, 0.0F);
     const double w = 1.0 / static_cast<double>(d.pdf_w);
-    solidAngle += w / kDraws;
-    squares += w * w / kDraws;
+    solidAngle += w / kLightDraws;
+    squares += w * w / kLightDraws;
   }
   const std::vector<double> expected(grid.size(),
-                                     static_cast<double>(kDraws) / static_cast<double>(grid.size()));
+                                     static_cast<double>(kLightDraws) / static_cast<double>(grid.size()));
   expectLikely(chiSquare(observed, expected), "points");
   // The mean of 1 / pdf is the solid angle: van Oosterom and Strackee 1983.
   const Vec3d u = glm::normalize(a - p);
@@ -68,7 +68,7 @@ TEST_F(Sampling, PointsOfATriangleAreUniform) {
   const Vec3d w = glm::normalize(c - p);
   const double exact = 2.0 * std::abs(std::atan2(glm::dot(u, glm::cross(v, w)),
                                                  1.0 + glm::dot(u, v) + glm::dot(v, w) + glm::dot(w, u)));
-  const double error = std::sqrt((squares - solidAngle * solidAngle) / kDraws);
+  const double error = std::sqrt((squares - solidAngle * solidAngle) / kLightDraws);
   EXPECT_NEAR(solidAngle, exact, 4.5 * error);
 }
 
@@ -117,10 +117,10 @@ TEST_F(Sampling, LightsAreChosenInProportionToTheirPower) {
       break;
     }
     index[kind] = expected.size();
-    expected.push_back(light.probability * kDraws);
+    expected.push_back(light.probability * kLightDraws);
   }
   ASSERT_EQ(index.size(), 12U);
-  for (const LightDraw& d : probe.sampleLight(Vec3f(1, 3, 1), kDraws, seed()))
+  for (const LightDraw& d : probe.sampleLight(Vec3f(1, 3, 1), kLightDraws, seed()))
     observed[index.at(static_cast<int>(d.kind))] += 1.0;
   expectLikely(chiSquare(observed, expected), "lights");
 }
@@ -143,11 +143,11 @@ TEST_F(Sampling, DirectionsToTheEnvironmentAreInProportionToRadiance) {
   for (int i = 0; i < width * height; ++i) {
     const double p = static_cast<double>(scene.environment.radiance[static_cast<std::size_t>(i)].x) *
                      angles[static_cast<std::size_t>(i / width)] / total;
-    expected.insert(expected.end(), 4, 0.25 * p * kDraws);
+    expected.insert(expected.end(), 4, 0.25 * p * kLightDraws);
   }
   std::vector<double> observed(expected.size());
   int elsewhere = 0;
-  for (const EnvironmentDraw& d : probe.sampleEnvironment(kDraws, seed())) {
+  for (const EnvironmentDraw& d : probe.sampleEnvironment(kLightDraws, seed())) {
     const Vec3d wi = glm::normalize(Vec3d(d.wi));
     const double row = std::acos(wi.y) / std::numbers::pi * height;
     const double column = (std::atan2(wi.x, -wi.z) / (2.0 * std::numbers::pi) + 0.5) * width;
@@ -164,7 +164,7 @@ TEST_F(Sampling, DirectionsToTheEnvironmentAreInProportionToRadiance) {
   }
   // Rounding moves a draw over its texel's edge: a few ulp of a texel's breadth, on four edges, on both
   // counts.
-  EXPECT_LE(elsewhere, 2 + static_cast<int>(kDraws * 16.0 * 8.0 * 0x1p-22));
+  EXPECT_LE(elsewhere, 2 + static_cast<int>(kLightDraws * 16.0 * 8.0 * 0x1p-22));
   // The draws of a black texel are such; chi-square has no patience with any.
   double black = 0.0;
   for (std::size_t i = 0; i < expected.size(); ++i) {
@@ -225,22 +225,22 @@ TEST_P(FilterSampling, WeightedDrawsAreTheFilter) {
   std::vector<double> sum(grid.size());
   std::vector<double> squares(grid.size());
   std::vector<double> count(grid.size());
-  for (const FilterDraw& d : probe.sampleFilter(kDraws, seed())) {
+  for (const FilterDraw& d : probe.sampleFilter(kLightDraws, seed())) {
     ASSERT_LE(std::abs(d.offset), static_cast<float>(r));
     const std::size_t cell = grid.cellOf({0.5 * (static_cast<double>(d.offset) / r + 1.0), 0.5});
     const double w = static_cast<double>(d.weight);
-    sum[cell] += w / kDraws;
-    squares[cell] += w * w / kDraws;
+    sum[cell] += w / kLightDraws;
+    squares[cell] += w * w / kLightDraws;
     count[cell] += 1.0;
   }
   for (std::size_t i = 0; i < grid.size(); ++i) {
     const double exact = cells[i].x / total.x;
-    const double error = std::sqrt((squares[i] - sum[i] * sum[i]) / kDraws);
+    const double error = std::sqrt((squares[i] - sum[i] * sum[i]) / kLightDraws);
     EXPECT_NEAR(sum[i], exact, sidakBound(200) * error + 1e-5 * std::abs(exact)) << "cell " << i;
     // Where |filter| is; within a bin, of which there are kFilterBins, by a trapezium.
     const double share = cells[i].y / total.y;
     const double bin = 0.1 / shared::kFilterBins;
-    EXPECT_NEAR(count[i] / kDraws, share, 0.1 * share + bin + 5.0 * std::sqrt(share / kDraws))
+    EXPECT_NEAR(count[i] / kLightDraws, share, 0.1 * share + bin + 5.0 * std::sqrt(share / kLightDraws))
         << "cell " << i;
   }
 }

@@ -64,7 +64,8 @@ void expectTargetKept(const Scene& scene, double target, std::uint32_t seeds, st
   EXPECT_GE(10 * kept, 9 * seeds);
 }
 
-void expectSlopeOfIndependentSamples(const Scene& scene, std::uint32_t seeds, std::uint64_t frames) {
+void expectSlopeOfIndependentSamples(const Scene& scene, std::uint32_t seeds, std::uint64_t frames,
+                                     SlopeOver over) {
   StudyPlan plan;
   plan.settings.push_back(defaultSetting(scene));
   plan.reference = plan.settings.front();
@@ -76,7 +77,10 @@ void expectSlopeOfIndependentSamples(const Scene& scene, std::uint32_t seeds, st
   const SettingSummary s = summarise(result).front();
   const double bound = boost::math::quantile(
       boost::math::complement(boost::math::students_t(seeds - 1.0), 0.5 * kAlpha)); // of its standard errors
-  for (const auto& slope : {s.slopeOverFrames, s.slopeOverTime}) {
+  std::vector slopes{s.slopeOverFrames};
+  if (over == SlopeOver::framesAndTime)
+    slopes.push_back(s.slopeOverTime);
+  for (const auto& slope : slopes) {
     ASSERT_TRUE(slope && slope->standardError);
     fmt::print("{}: slope {:.3f} ± {:.3f}\n", scene.name, slope->value, *slope->standardError);
     EXPECT_LT(*slope->standardError, 0.1);

@@ -15,8 +15,12 @@ void expectCalibrated(const Scene& scene, std::uint32_t seeds, std::uint64_t fra
 /// in nine of ten seeds.
 void expectTargetKept(const Scene& scene, double target, std::uint32_t seeds, std::uint64_t referenceFrames);
 
+/// What a slope is taken over. A frame's time is constant on a quiet machine alone.
+enum class SlopeOver { frames, framesAndTime };
+
 /// The slope of log relMSE over log frames, and over log time, is -1 by a t-test over the seeds, whose
 /// standard error is below 0.1.
-void expectSlopeOfIndependentSamples(const Scene& scene, std::uint32_t seeds, std::uint64_t frames);
+void expectSlopeOfIndependentSamples(const Scene& scene, std::uint32_t seeds, std::uint64_t frames,
+                                     SlopeOver over);
 
 } // namespace vkpt::test

@@ -10,7 +10,7 @@ TEST(Calibration, OfTheCornellBox) { expectCalibrated(sceneOf("cornell", 48, 48)
 TEST(TargetError, IsKeptInNineOfTenRuns) { expectTargetKept(sceneOf("cornell", 16, 16), 0.1, 40, 16384); }
 
 TEST(Slope, IsThatOfIndependentSamples) {
-  expectSlopeOfIndependentSamples(sceneOf("cornell", 16, 16), 8, 512);
+  expectSlopeOfIndependentSamples(sceneOf("cornell", 16, 16), 8, 512, SlopeOver::frames);
 }
 
 } // namespace

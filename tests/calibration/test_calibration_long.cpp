@@ -17,7 +17,7 @@ TEST(TargetErrorLong, IsKeptOnTheSpheres) {
 }
 
 TEST(SlopeLong, IsThatOfIndependentSamples) {
-  expectSlopeOfIndependentSamples(sceneOf("cornell", 64, 64), 16, 256);
+  expectSlopeOfIndependentSamples(sceneOf("cornell", 64, 64), 16, 256, SlopeOver::framesAndTime);
 }
 
 } // namespace

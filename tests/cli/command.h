@@ -86,4 +86,13 @@ CommandResult vkpt(const std::vector<std::string>& arguments, const CommandSetti
 /// Into the test's output, for figures that are told and not tested.
 void tell(const std::string& what, double figure, const std::string& unit);
 
+/// A call that the command refuses, and what its line holds.
+struct WrongCall {
+  const char* name;
+  std::vector<std::string> arguments;
+  ExitCode code;
+  std::vector<const char*> says;
+};
+inline void PrintTo(const WrongCall& call, std::ostream* out) { *out << call.name; }
+
 } // namespace vkpt::test

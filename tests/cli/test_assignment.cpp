@@ -137,13 +137,13 @@ TEST(AssignmentPage, ListIsTheReadmesTable) {
   }
 }
 
-struct Wrong {
+struct WrongAssignment {
   const char* name;
   std::vector<std::string> arguments;
   std::vector<const char*> says;
 };
 
-class AssignmentRefuses : public testing::TestWithParam<Wrong> {};
+class AssignmentRefuses : public testing::TestWithParam<WrongAssignment> {};
 
 TEST_P(AssignmentRefuses, InOneLine) {
   const WorkFolder folder;
@@ -162,13 +162,14 @@ TEST_P(AssignmentRefuses, InOneLine) {
 INSTANTIATE_TEST_SUITE_P(
     Input, AssignmentRefuses,
     testing::Values(
-        Wrong{"NoSheet", {"-o", "out"}, {"vkpt assignment a"}},
-        Wrong{"NoSuchSheet", {"c", "-o", "out"}, {"'c'", "a or b"}},
-        Wrong{"FolderWithFiles", {"a", "--quick", "-o", "full"}, {"full", "--force"}},
-        Wrong{"NoFolder", {"a", "--quick", "-o", "file"}, {"file", "folder"}},
-        Wrong{"NoSuchPicture", {"a", "--only", "a-nothing", "-o", "out"}, {"a-nothing", "a-blocks"}},
-        Wrong{"PictureOfTheOther", {"a", "--only", "b-busts", "-o", "out"}, {"b-busts"}},
-        Wrong{"NoQuality", {"a", "--quality", "0", "-o", "out"}, {"--quality '0'"}}),
+        WrongAssignment{"NoSheet", {"-o", "out"}, {"vkpt assignment a"}},
+        WrongAssignment{"NoSuchSheet", {"c", "-o", "out"}, {"'c'", "a or b"}},
+        WrongAssignment{"FolderWithFiles", {"a", "--quick", "-o", "full"}, {"full", "--force"}},
+        WrongAssignment{"NoFolder", {"a", "--quick", "-o", "file"}, {"file", "folder"}},
+        WrongAssignment{
+            "NoSuchPicture", {"a", "--only", "a-nothing", "-o", "out"}, {"a-nothing", "a-blocks"}},
+        WrongAssignment{"PictureOfTheOther", {"a", "--only", "b-busts", "-o", "out"}, {"b-busts"}},
+        WrongAssignment{"NoQuality", {"a", "--quality", "0", "-o", "out"}, {"--quality '0'"}}),
     [](const auto& test) { return std::string(test.param.name); });
 
 } // namespace

@@ -97,15 +97,7 @@ TEST(Compare, SaysHowManyPixelsWereLeftOut) {
   EXPECT_EQ(folder.json("d.json")["nonFinitePixels"], 1);
 }
 
-struct Wrong {
-  const char* name;
-  std::vector<std::string> arguments;
-  ExitCode code;
-  std::vector<const char*> says;
-};
-void PrintTo(const Wrong& w, std::ostream* out) { *out << w.name; }
-
-class CompareRefuses : public testing::TestWithParam<Wrong> {};
+class CompareRefuses : public testing::TestWithParam<WrongCall> {};
 
 TEST_P(CompareRefuses, InOneLine) {
   const WorkFolder folder;
@@ -127,26 +119,28 @@ TEST_P(CompareRefuses, InOneLine) {
 INSTANTIATE_TEST_SUITE_P(
     Input, CompareRefuses,
     testing::Values(
-        Wrong{"NoImage", {}, ExitCode::Usage, {"0 images", "two"}},
-        Wrong{"OneImage", {"a.pfm"}, ExitCode::Usage, {"1 images"}},
-        Wrong{"ThreeImages", {"a.pfm", "a.pfm", "a.pfm"}, ExitCode::Usage, {"3 images"}},
-        Wrong{"NoSuchFile", {"a.pfm", "gone.pfm"}, ExitCode::Scene, {"gone.pfm"}},
-        Wrong{"BrokenFile", {"broken.exr", "a.pfm"}, ExitCode::Scene, {"broken.exr"}},
-        Wrong{"UnknownFormat", {"a.pfm", "x.tiff"}, ExitCode::Scene, {"x.tiff", ".exr"}},
-        Wrong{"OtherSize",
-              {"a.pfm", "big.exr", "--json", "d.json"},
-              ExitCode::Scene,
-              {"2x1", "big.exr", "3x5"}},
-        Wrong{"NothingFinite", {"a.pfm", "nan.pfm"}, ExitCode::Scene, {"no pixel is finite"}},
-        Wrong{"ZWithoutErrors", {"a.pfm", "a.pfm", "--max-z", "3"}, ExitCode::Scene, {"--max-z", "stderr"}},
-        Wrong{"NegativeLimit", {"a.pfm", "a.pfm", "--max-mse", "-1"}, ExitCode::Usage, {"--max-mse '-1'"}},
-        Wrong{"NoNumber", {"a.pfm", "a.pfm", "--max-rmse", "x"}, ExitCode::Usage, {"--max-rmse 'x'"}},
-        Wrong{"PictureNoPng", {"a.pfm", "a.pfm", "-o", "d.exr"}, ExitCode::Usage, {"d.exr", ".png"}},
-        Wrong{"NoSuchFolder", {"a.pfm", "a.pfm", "-o", "gone/d.png"}, ExitCode::Usage, {"gone"}},
-        Wrong{"UnknownOption",
-              {"a.pfm", "a.pfm", "--max-rsme", "1"},
-              ExitCode::Usage,
-              {"--max-rsme", "did you mean"}}),
+        WrongCall{"NoImage", {}, ExitCode::Usage, {"0 images", "two"}},
+        WrongCall{"OneImage", {"a.pfm"}, ExitCode::Usage, {"1 images"}},
+        WrongCall{"ThreeImages", {"a.pfm", "a.pfm", "a.pfm"}, ExitCode::Usage, {"3 images"}},
+        WrongCall{"NoSuchFile", {"a.pfm", "gone.pfm"}, ExitCode::Scene, {"gone.pfm"}},
+        WrongCall{"BrokenFile", {"broken.exr", "a.pfm"}, ExitCode::Scene, {"broken.exr"}},
+        WrongCall{"UnknownFormat", {"a.pfm", "x.tiff"}, ExitCode::Scene, {"x.tiff", ".exr"}},
+        WrongCall{"OtherSize",
+                  {"a.pfm", "big.exr", "--json", "d.json"},
+                  ExitCode::Scene,
+                  {"2x1", "big.exr", "3x5"}},
+        WrongCall{"NothingFinite", {"a.pfm", "nan.pfm"}, ExitCode::Scene, {"no pixel is finite"}},
+        WrongCall{
+            "ZWithoutErrors", {"a.pfm", "a.pfm", "--max-z", "3"}, ExitCode::Scene, {"--max-z", "stderr"}},
+        WrongCall{
+            "NegativeLimit", {"a.pfm", "a.pfm", "--max-mse", "-1"}, ExitCode::Usage, {"--max-mse '-1'"}},
+        WrongCall{"NoNumber", {"a.pfm", "a.pfm", "--max-rmse", "x"}, ExitCode::Usage, {"--max-rmse 'x'"}},
+        WrongCall{"PictureNoPng", {"a.pfm", "a.pfm", "-o", "d.exr"}, ExitCode::Usage, {"d.exr", ".png"}},
+        WrongCall{"NoSuchFolder", {"a.pfm", "a.pfm", "-o", "gone/d.png"}, ExitCode::Usage, {"gone"}},
+        WrongCall{"UnknownOption",
+                  {"a.pfm", "a.pfm", "--max-rsme", "1"},
+                  ExitCode::Usage,
+                  {"--max-rsme", "did you mean"}}),
     testing::PrintToStringParamName());
 
 } // namespace

@@ -145,7 +145,7 @@ TEST(Run, TwoFilesAreOneScene) {
 
 /// Assignment A's own files. Their means agree with those of our built-in scenes within 3 %: our spheres are
 /// meshed otherwise, and the two images have noise of their own.
-class Assignment : public testing::Test {
+class AssignmentFiles : public testing::Test {
 protected:
   void SetUp() override {
     if (!fs::is_directory(m_data))
@@ -183,9 +183,9 @@ private:
   fs::path m_data = fs::path(VKPT_SOURCE_DIR) / ".." / "shared" / "data" / "assignment-a";
 };
 
-TEST_F(Assignment, BoxWithBlocks) { expectSameMean({"CornellBox.obj", "CornellBlocks.obj"}, "cornell"); }
+TEST_F(AssignmentFiles, BoxWithBlocks) { expectSameMean({"CornellBox.obj", "CornellBlocks.obj"}, "cornell"); }
 
-TEST_F(Assignment, BoxWithSpheres) {
+TEST_F(AssignmentFiles, BoxWithSpheres) {
   expectSameMean({"CornellBox.obj", "CornellLeftSphere.obj", "CornellRightSphere.obj"}, "cornell-spheres");
 }
 

@@ -232,15 +232,7 @@ TEST(Study, AnInterruptWritesTheReportSoFar) {
   EXPECT_TRUE(contains(folder.read("out/report.html"), "Interrupted"));
 }
 
-struct Wrong {
-  const char* name;
-  std::vector<std::string> arguments;
-  ExitCode code;
-  std::vector<const char*> says;
-};
-void PrintTo(const Wrong& w, std::ostream* out) { *out << w.name; }
-
-class StudyRefuses : public testing::TestWithParam<Wrong> {};
+class StudyRefuses : public testing::TestWithParam<WrongCall> {};
 
 TEST_P(StudyRefuses, InOneLine) {
   const WorkFolder folder;
@@ -258,29 +250,30 @@ TEST_P(StudyRefuses, InOneLine) {
 INSTANTIATE_TEST_SUITE_P(
     Input, StudyRefuses,
     testing::Values(
-        Wrong{"NoValues", {"--vary", "split"}, ExitCode::Usage, {"--vary 'split'", "OPTION=A,B"}},
-        Wrong{"CannotVary",
-              {"--vary", "size=8x8,16x16"},
-              ExitCode::Usage,
-              {"size=8x8", "light, light-samples"}},
-        Wrong{"BadValue", {"--vary", "split=0,99"}, ExitCode::Usage, {"--split '99'", "0 to 16"}},
-        Wrong{"VariedAndGiven", {"--vary", "split=0,1", "--split", "2"}, ExitCode::Usage, {"--split"}},
-        Wrong{"UnknownOption", {"--varry", "split=0,1"}, ExitCode::Usage, {"--varry"}},
-        Wrong{"UnknownKind", {"--class", "caustics"}, ExitCode::Usage, {"--class 'caustics'", "caustic"}},
-        Wrong{"AblateAndVary", {"--ablate", "--vary", "split=0,1"}, ExitCode::Usage, {"--ablate", "--vary"}},
-        Wrong{"OneReferenceForTwoScenes",
-              {"cornell", "cornell-spheres", "--reference", "small.pfm"},
-              ExitCode::Usage,
-              {"--reference", "2"}},
-        Wrong{"Stats", {"--stats", "s.json"}, ExitCode::Usage, {"--stats"}},
-        Wrong{"NoSeeds", {"--seeds", "0"}, ExitCode::Usage, {"--seeds '0'"}},
-        Wrong{"OutputIsAFile", {"-o", "file"}, ExitCode::Usage, {"file", "folder"}},
-        Wrong{"NoSuchReference", {"--reference", "gone.exr"}, ExitCode::Scene, {"gone.exr"}},
-        Wrong{"ReferenceOfAnotherSize",
-              {"--reference", "small.pfm", "--size", "8x8"},
-              ExitCode::Scene,
-              {"small.pfm", "1x1", "8x8"}},
-        Wrong{"NoSuchScene", {"gone.obj"}, ExitCode::Scene, {"gone.obj"}}),
+        WrongCall{"NoValues", {"--vary", "split"}, ExitCode::Usage, {"--vary 'split'", "OPTION=A,B"}},
+        WrongCall{"CannotVary",
+                  {"--vary", "size=8x8,16x16"},
+                  ExitCode::Usage,
+                  {"size=8x8", "light, light-samples"}},
+        WrongCall{"BadValue", {"--vary", "split=0,99"}, ExitCode::Usage, {"--split '99'", "0 to 16"}},
+        WrongCall{"VariedAndGiven", {"--vary", "split=0,1", "--split", "2"}, ExitCode::Usage, {"--split"}},
+        WrongCall{"UnknownOption", {"--varry", "split=0,1"}, ExitCode::Usage, {"--varry"}},
+        WrongCall{"UnknownKind", {"--class", "caustics"}, ExitCode::Usage, {"--class 'caustics'", "caustic"}},
+        WrongCall{
+            "AblateAndVary", {"--ablate", "--vary", "split=0,1"}, ExitCode::Usage, {"--ablate", "--vary"}},
+        WrongCall{"OneReferenceForTwoScenes",
+                  {"cornell", "cornell-spheres", "--reference", "small.pfm"},
+                  ExitCode::Usage,
+                  {"--reference", "2"}},
+        WrongCall{"Stats", {"--stats", "s.json"}, ExitCode::Usage, {"--stats"}},
+        WrongCall{"NoSeeds", {"--seeds", "0"}, ExitCode::Usage, {"--seeds '0'"}},
+        WrongCall{"OutputIsAFile", {"-o", "file"}, ExitCode::Usage, {"file", "folder"}},
+        WrongCall{"NoSuchReference", {"--reference", "gone.exr"}, ExitCode::Scene, {"gone.exr"}},
+        WrongCall{"ReferenceOfAnotherSize",
+                  {"--reference", "small.pfm", "--size", "8x8"},
+                  ExitCode::Scene,
+                  {"small.pfm", "1x1", "8x8"}},
+        WrongCall{"NoSuchScene", {"gone.obj"}, ExitCode::Scene, {"gone.obj"}}),
     testing::PrintToStringParamName());
 
 TEST(Study, WithoutGnuplotSaysWhichPackageIsMissing) {

@@ -32,6 +32,11 @@ std::vector<Check> ownChecks();
 std::vector<Check> allChecks();
 const Check& checkNamed(const std::string& name);
 
+// What the checks' scenes are made of.
+inline constexpr Vec3f kRadiance(3.0F, 2.0F, 1.0F);
+inline constexpr Vec3f kAlbedo(0.8F, 0.5F, 0.2F);
+inline constexpr Vec3d kUp(0.0, 1.0, 0.0);
+
 /// A diffuse floor at the origin under a quadrilateral light whose two triangles differ in area, seen as one
 /// point; and the radiance it must have.
 struct LitFloor {

@@ -9,7 +9,6 @@
 namespace vkpt::test {
 namespace {
 
-constexpr Vec3f kAlbedo(0.8F, 0.5F, 0.2F);
 /// So small a field of view that irradiance does not change over it in float.
 constexpr double kStillFov = 1e-5;
 
@@ -99,7 +98,7 @@ void deltaAndAreaLights(Trial& t) {
   }
 }
 
-constexpr Check kChecks[] = {
+constexpr Check kDeltaChecks[] = {
     {"pointLight", pointLight},
     {"directionalLight", directionalLight},
     {"deltaLightsAreShadowed", deltaLightsAreShadowed},
@@ -108,6 +107,6 @@ constexpr Check kChecks[] = {
 
 } // namespace
 
-std::span<const Check> deltaChecks() { return kChecks; }
+std::span<const Check> deltaChecks() { return kDeltaChecks; }
 
 } // namespace vkpt::test

@@ -9,9 +9,6 @@
 namespace vkpt::test {
 namespace {
 
-constexpr Vec3f kAlbedo(0.8F, 0.5F, 0.2F);
-constexpr Vec3d kUp(0.0, 1.0, 0.0);
-
 /// A small square plate about the origin with unit normal `n`, seen as one point.
 Scene plateUnder(const EnvironmentMap& map, const Vec3d& n) {
   const Vec3d u = glm::normalize(glm::cross(n, Vec3d(0.3, 0.2, 1.0)));
@@ -154,7 +151,7 @@ void environmentBehindLight(Trial& t) {
   }
 }
 
-constexpr Check kChecks[] = {
+constexpr Check kEnvironmentChecks[] = {
     {"environmentSeen", environmentSeen}, {"oneBrightTexel", oneBrightTexel},
     {"unequalTexels", unequalTexels},     {"constantEnvironment", constantEnvironment},
     {"gradientSky", gradientSky},         {"environmentBehindLight", environmentBehindLight},
@@ -162,6 +159,6 @@ constexpr Check kChecks[] = {
 
 } // namespace
 
-std::span<const Check> environmentChecks() { return kChecks; }
+std::span<const Check> environmentChecks() { return kEnvironmentChecks; }
 
 } // namespace vkpt::test

@@ -122,7 +122,7 @@ void mergedConstant(Trial& t) {
   }
 }
 
-constexpr Check kChecks[] = {
+constexpr Check kFilmChecks[] = {
     {"mergedGroups", mergedGroups},
     {"mergedConstant", mergedConstant},
     {"samplesDiffer", samplesDiffer},
@@ -131,6 +131,6 @@ constexpr Check kChecks[] = {
 
 } // namespace
 
-std::span<const Check> filmChecks() { return kChecks; }
+std::span<const Check> filmChecks() { return kFilmChecks; }
 
 } // namespace vkpt::test

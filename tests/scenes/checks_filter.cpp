@@ -61,10 +61,10 @@ double below(const PixelFilter& f, double x) {
 }
 
 /// Means over the columns (or rows) of a square image of a dark and a bright half.
-constexpr int kEdge = 8;
+constexpr int kFilterEdge = 8;
 constexpr double kBorder = 4.45; // pixels from the left or from the top
 Film edgeImage(Trial& t, const PixelFilter& filter, bool upright) {
-  const double at = kBorder / kEdge * 2.0 - 1.0;
+  const double at = kBorder / kFilterEdge * 2.0 - 1.0;
   SceneBuilder builder;
   if (upright)
     builder.quad({-9.0, -9.0, -1.0}, {at, -9.0, -1.0}, {at, 9.0, -1.0}, {-9.0, 9.0, -1.0},
@@ -74,20 +74,20 @@ Film edgeImage(Trial& t, const PixelFilter& filter, bool upright) {
                  emitter(Vec3f(1.0F)));
   Scene scene = builder.camera(lookAt(Vec3d(0.0), {0.0, 0.0, -1.0}, 90.0)).build();
   scene.filter = filter;
-  return t.render(scene, {.width = kEdge, .height = kEdge, .frames = 2048}).film;
+  return t.render(scene, {.width = kFilterEdge, .height = kFilterEdge, .frames = 2048}).film;
 }
 
 void edgeByFilter(Trial& t) {
   for (const auto& [name, filter] : kFilters) {
     for (const bool upright : {true, false}) {
       const Film film = edgeImage(t, filter, upright);
-      for (int i = 0; i < kEdge; ++i) {
+      for (int i = 0; i < kFilterEdge; ++i) {
         double mean = 0.0;
         double variance = 0.0;
-        for (int j = 0; j < kEdge; ++j) {
+        for (int j = 0; j < kFilterEdge; ++j) {
           const PixelMoments& p = upright ? film.at(i, j) : film.at(j, i);
-          mean += p.mean.x / kEdge;
-          variance += p.varianceOfMean().x / (kEdge * kEdge);
+          mean += p.mean.x / kFilterEdge;
+          variance += p.varianceOfMean().x / (kFilterEdge * kFilterEdge);
         }
         const double expected = below(filter, kBorder - (i + 0.5));
         const double error = std::sqrt(variance);
@@ -122,13 +122,13 @@ void evenByFilter(Trial& t) {
   }
 }
 
-constexpr Check kChecks[] = {
+constexpr Check kFilterChecks[] = {
     {"evenByFilter", evenByFilter},
     {"edgeByFilter", edgeByFilter},
 };
 
 } // namespace
 
-std::span<const Check> filterChecks() { return kChecks; }
+std::span<const Check> filterChecks() { return kFilterChecks; }
 
 } // namespace vkpt::test

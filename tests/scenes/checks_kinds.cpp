@@ -10,9 +10,6 @@
 namespace vkpt::test {
 namespace {
 
-constexpr Vec3f kRadiance(3.0F, 2.0F, 1.0F);
-constexpr Vec3f kAlbedo(0.8F, 0.5F, 0.2F);
-constexpr Vec3d kUp(0.0, 1.0, 0.0);
 constexpr const char* kNames[] = {"emission", "direct",           "caustic",
                                   "indirect", "indirect caustic", "specular"};
 constexpr std::uint32_t maskOf(PathKind kind) { return 1U << static_cast<std::uint32_t>(kind); }
@@ -249,7 +246,7 @@ void carriedHistory(Trial& t) {
   t.expect(emission == Vec3d(1.0), fmt::format("emission seen is {:.6g}, expected 1", emission.x));
 }
 
-constexpr Check kChecks[] = {
+constexpr Check kKindChecks[] = {
     {"emissionAndSpecular", emissionAndSpecular},
     {"furnaceKinds", furnaceKinds},
     {"carriedHistory", carriedHistory},
@@ -262,6 +259,6 @@ constexpr Check kChecks[] = {
 
 } // namespace
 
-std::span<const Check> kindChecks() { return kChecks; }
+std::span<const Check> kindChecks() { return kKindChecks; }
 
 } // namespace vkpt::test

@@ -11,10 +11,6 @@
 namespace vkpt::test {
 namespace {
 
-constexpr Vec3f kRadiance(3.0F, 2.0F, 1.0F);
-constexpr Vec3f kAlbedo(0.8F, 0.5F, 0.2F);
-constexpr Vec3d kUp(0.0, 1.0, 0.0);
-
 /// A camera beside the light that looks at the origin of the floor.
 Camera floorCamera() { return lookAt({-3.0, 2.0, 1.0}, {0.0, 0.0, 0.0}, kPointFov); }
 
@@ -151,7 +147,7 @@ void twinsInPlaneZero(Trial& t) {
   }
 }
 
-constexpr Check kChecks[] = {
+constexpr Check kLightChecks[] = {
     {"emitterSeen", emitterSeen},           {"emitterBack", emitterBack},
     {"litFromBehind", litFromBehind},       {"backgroundOnly", backgroundOnly},
     {"imageLayout", imageLayout},           {"shadowed", shadowed},
@@ -169,6 +165,6 @@ LitFloor litFloor(double scale, const Vec3d& offset) {
   return {builder.build(scale, offset), Vec3d(kAlbedo) * Vec3d(kRadiance) * (irradiance / std::numbers::pi)};
 }
 
-std::span<const Check> lightChecks() { return kChecks; }
+std::span<const Check> lightChecks() { return kLightChecks; }
 
 } // namespace vkpt::test

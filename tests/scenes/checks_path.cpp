@@ -137,7 +137,7 @@ void carriedPaths(Trial& t) {
   t.expectSameWhenCarried(scene, {.estimator = lightSampling(), .width = 8, .height = 8, .frames = 16});
 }
 
-constexpr Check kChecks[] = {
+constexpr Check kPathChecks[] = {
     {"furnaceByBounces", furnaceByBounces},
     {"directByBounces", directByBounces},
     {"lightAndBsdfIndependent", lightAndBsdfIndependent},
@@ -159,6 +159,6 @@ Scene twoLightRoom() {
       .build();
 }
 
-std::span<const Check> pathChecks() { return kChecks; }
+std::span<const Check> pathChecks() { return kPathChecks; }
 
 } // namespace vkpt::test

@@ -15,10 +15,6 @@ EstimatorSettings endingWith(double probability, std::optional<std::uint32_t> af
   return s;
 }
 
-Film renderAt(Trial& t, const Scene& scene, const EstimatorSettings& estimator, std::uint64_t frames) {
-  return t.render(scene, {.estimator = estimator, .width = 64, .height = 64, .frames = frames}).film;
-}
-
 /// The variance is finite where survival is above the square of the albedo: here at every q.
 void furnaceByConstant(Trial& t) {
   const Vec3f albedo(0.1F, 0.25F, 0.4F);
@@ -46,13 +42,13 @@ void rouletteStartsWhereItShould(Trial& t) {
              fmt::format("variance is {:.4f} of what q = {} gives", ratio[c], q));
 }
 
-constexpr Check kChecks[] = {
+constexpr Check kRouletteChecks[] = {
     {"rouletteStartsWhereItShould", rouletteStartsWhereItShould},
     {"furnaceByConstant", furnaceByConstant},
 };
 
 } // namespace
 
-std::span<const Check> rouletteChecks() { return kChecks; }
+std::span<const Check> rouletteChecks() { return kRouletteChecks; }
 
 } // namespace vkpt::test

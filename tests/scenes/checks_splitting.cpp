@@ -154,7 +154,7 @@ void carriedBranches(Trial& t) {
            fmt::format("the branches hold {:.6f} of the light", e.mean.x + e.mean.y));
 }
 
-constexpr Check kChecks[] = {
+constexpr Check kSplittingChecks[] = {
     {"splitSlab", splitSlab},
     {"splitInWhite", splitInWhite},
     {"specularsAreSpared", specularsAreSpared},
@@ -165,6 +165,6 @@ constexpr Check kChecks[] = {
 
 } // namespace
 
-std::span<const Check> splittingChecks() { return kChecks; }
+std::span<const Check> splittingChecks() { return kSplittingChecks; }
 
 } // namespace vkpt::test

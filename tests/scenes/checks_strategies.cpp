@@ -10,13 +10,6 @@
 namespace vkpt::test {
 namespace {
 
-constexpr Vec3d kUp(0.0, 1.0, 0.0);
-constexpr Vec3f kAlbedo(0.8F, 0.5F, 0.2F);
-
-Film renderAt(Trial& t, const Scene& scene, const EstimatorSettings& estimator, std::uint64_t frames) {
-  return t.render(scene, {.estimator = estimator, .width = 64, .height = 64, .frames = frames}).film;
-}
-
 /// One point of a floor under a light so large that both strategies find every part of it with densities of
 /// one size: what a wrong weight adds or takes away is large.
 LitFloor underLargeLight() {
@@ -283,7 +276,7 @@ void carriedDensities(Trial& t) {
   t.expectSameWhenCarried(scene, {.estimator = misSampling(), .width = 8, .height = 8, .frames = 16});
 }
 
-constexpr Check kChecks[] = {
+constexpr Check kStrategyChecks[] = {
     {"litFloorByMis", litFloorByMis},
     {"lightSamplesByMis", lightSamplesByMis},
     {"lightSamplesAverage", lightSamplesAverage},
@@ -303,6 +296,6 @@ constexpr Check kChecks[] = {
 
 } // namespace
 
-std::span<const Check> strategyChecks() { return kChecks; }
+std::span<const Check> strategyChecks() { return kStrategyChecks; }
 
 } // namespace vkpt::test

@@ -162,13 +162,13 @@ void absorbingSlab(Trial& t) {
   }
 }
 
-constexpr Check kChecks[] = {
+constexpr Check kSurfaceChecks[] = {
     {"oneSided", oneSided}, {"oneSidedByLights", oneSidedByLights}, {"glassHasBothSides", glassHasBothSides},
     {"textured", textured}, {"absorbingSlab", absorbingSlab},
 };
 
 } // namespace
 
-std::span<const Check> surfaceChecks() { return kChecks; }
+std::span<const Check> surfaceChecks() { return kSurfaceChecks; }
 
 } // namespace vkpt::test

@@ -32,6 +32,10 @@ Vec3d skyIrradiance(const EnvironmentMap& map, const Vec3d& n) {
   return irradiance;
 }
 
+Film renderAt(Trial& t, const Scene& scene, const EstimatorSettings& estimator, std::uint64_t frames) {
+  return t.render(scene, {.estimator = estimator, .width = 64, .height = 64, .frames = frames}).film;
+}
+
 Film columns(const Film& film, int first, int count) {
   Film part;
   part.width = count;

@@ -1,5 +1,5 @@
 #pragma once
-// Strategies by name, what an environment sends, and parts of a film.
+// Strategies by name, what an environment sends, a film, and parts of one.
 
 #include "scenes/check.h"
 #include "scenes/made_scenes.h"
@@ -16,6 +16,9 @@ inline constexpr NamedStrategy kStrategies[] = {
 Vec3d radianceFrom(const EnvironmentMap& map, const Vec3d& direction);
 /// Irradiance of a surface with unit normal `n`, open to the whole sky above it: midpoint quadrature.
 Vec3d skyIrradiance(const EnvironmentMap& map, const Vec3d& n);
+
+/// 64 x 64 pixels.
+Film renderAt(Trial& t, const Scene& scene, const EstimatorSettings& estimator, std::uint64_t frames);
 
 /// Columns [first, first + count) of an image.
 Film columns(const Film& film, int first, int count);

@@ -14,8 +14,8 @@
 namespace vkpt::test {
 namespace {
 
-constexpr auto kPoll = std::chrono::milliseconds(20);
-constexpr int kPolls = 1000; // 20 s
+constexpr auto kScreenPoll = std::chrono::milliseconds(20);
+constexpr int kScreenPolls = 1000; // 20 s
 
 std::uint32_t bigEndian(const std::string& bytes, std::size_t at) {
   std::uint32_t value = 0;
@@ -46,8 +46,8 @@ Screen::Screen() {
     ::execl("/bin/sh", "sh", "-c", command.c_str(), nullptr);
     ::_exit(127);
   }
-  for (int i = 0; i < kPolls && m_display.empty(); ++i) {
-    std::this_thread::sleep_for(kPoll);
+  for (int i = 0; i < kScreenPolls && m_display.empty(); ++i) {
+    std::this_thread::sleep_for(kScreenPoll);
     const std::string text = fs::exists(number) ? m_folder.read("number") : "";
     if (text.ends_with('\n'))
       m_display = fmt::format(":{}", text.substr(0, text.size() - 1));

@@ -9,8 +9,7 @@
 namespace vkpt {
 namespace {
 
-constexpr float kHeight = 6.0F; // of the plot, in heights of a letter
-constexpr float kWidth = 21.0F;
+constexpr float kHeight = 6.0F;  // of the plot, in heights of a letter
 constexpr double kPadding = 0.1; // decades beyond the data
 
 struct Range {
@@ -47,7 +46,7 @@ void drawErrorCurve(const std::vector<ErrorLook>& looks, std::optional<double> t
     y.extend(std::log10(*target));
   y = {y.least - kPadding, y.most + kPadding};
 
-  const float width = kWidth * ImGui::GetFontSize();
+  const float width = kPanelWidth * ImGui::GetFontSize();
   const float height = kHeight * ImGui::GetFontSize();
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   ImGui::Dummy({width, height});

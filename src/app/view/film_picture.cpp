@@ -38,7 +38,6 @@ void FilmPicture::bind(const DeviceFilm& film) { film.bind(m_context, m_bindings
 void FilmPicture::draw(const vk::raii::CommandBuffer& commands, Vec2i filmSize,
                        const DisplaySettings& display, Shows shows) const {
   using Access = vk::AccessFlagBits;
-  using Stage = vk::PipelineStageFlagBits;
   const shared::DisplayJob job{whole(filmSize.x),
                                whole(filmSize.y),
                                whole(m_size.x),
@@ -50,8 +49,8 @@ void FilmPicture::draw(const vk::raii::CommandBuffer& commands, Vec2i filmSize,
   // What the last picture was copied from may be written, and what the film's kernels wrote may be read.
   const vk::MemoryBarrier before(Access::eShaderWrite | Access::eTransferWrite,
                                  Access::eShaderRead | Access::eShaderWrite);
-  commands.pipelineBarrier(Stage::eComputeShader | Stage::eTransfer, Stage::eComputeShader, {}, before, {},
-                           {});
+  commands.pipelineBarrier(vk::PipelineStageFlagBits::eComputeShader | vk::PipelineStageFlagBits::eTransfer,
+                           vk::PipelineStageFlagBits::eComputeShader, {}, before, {}, {});
   commands.bindPipeline(vk::PipelineBindPoint::eCompute, m_pipeline.handle());
   commands.bindDescriptorSets(vk::PipelineBindPoint::eCompute, m_bindings.pipelineLayout(), 0,
                               m_bindings.set(), {});
@@ -60,8 +59,9 @@ void FilmPicture::draw(const vk::raii::CommandBuffer& commands, Vec2i filmSize,
   commands.dispatch((job.width * job.height + kGroup - 1) / kGroup, 1, 1);
   // The picture is copied next; the film is written next.
   const vk::MemoryBarrier after(Access::eShaderWrite, Access::eTransferRead);
-  commands.pipelineBarrier(Stage::eComputeShader, Stage::eTransfer | Stage::eComputeShader, {}, after, {},
-                           {});
+  commands.pipelineBarrier(vk::PipelineStageFlagBits::eComputeShader,
+                           vk::PipelineStageFlagBits::eTransfer | vk::PipelineStageFlagBits::eComputeShader,
+                           {}, after, {}, {});
 }
 
 } // namespace vkpt

@@ -15,12 +15,11 @@ namespace vkpt {
 namespace {
 
 // In heights of a letter.
-constexpr float kWidth = 21.0F;
 constexpr float kColumn = 11.0F; // where a second column begins
 
 void line(const std::string& text) { ImGui::TextUnformatted(text.c_str()); }
 void wrapped(const std::string& text) {
-  ImGui::PushTextWrapPos(kWidth * ImGui::GetFontSize());
+  ImGui::PushTextWrapPos(kPanelWidth * ImGui::GetFontSize());
   line(text);
   ImGui::PopTextWrapPos();
 }

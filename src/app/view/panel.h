@@ -6,6 +6,8 @@
 
 namespace vkpt {
 
+inline constexpr float kPanelWidth = 21.0F; ///< in heights of a letter
+
 /// One look at the film's error.
 struct ErrorLook {
   double seconds = 0.0;

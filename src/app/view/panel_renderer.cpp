@@ -23,9 +23,9 @@ vk::raii::RenderPass makePass(const gpu::Context& context, vk::Format format) {
   const vk::AttachmentReference reference(0, vk::ImageLayout::eColorAttachmentOptimal);
   const vk::SubpassDescription subpass({}, vk::PipelineBindPoint::eGraphics, {}, reference);
   using Access = vk::AccessFlagBits;
-  using Stage = vk::PipelineStageFlagBits;
-  const vk::SubpassDependency afterCopy(VK_SUBPASS_EXTERNAL, 0, Stage::eTransfer,
-                                        Stage::eColorAttachmentOutput, Access::eTransferWrite,
+  const vk::SubpassDependency afterCopy(VK_SUBPASS_EXTERNAL, 0, vk::PipelineStageFlagBits::eTransfer,
+                                        vk::PipelineStageFlagBits::eColorAttachmentOutput,
+                                        Access::eTransferWrite,
                                         Access::eColorAttachmentRead | Access::eColorAttachmentWrite);
   return {context.device(), vk::RenderPassCreateInfo({}, image, subpass, afterCopy)};
 }

@@ -11,7 +11,6 @@ namespace {
 
 using Access = vk::AccessFlagBits;
 using Layout = vk::ImageLayout;
-using Stage = vk::PipelineStageFlagBits;
 
 const vk::ImageSubresourceRange kWhole(vk::ImageAspectFlagBits::eColor, 0, 1, 0, 1);
 
@@ -60,7 +59,8 @@ void Presenter::record(const SwapchainFrame& frame, Vec2i filmSize, const Displa
   const vk::ImageMemoryBarrier toCopy({}, Access::eTransferWrite, Layout::eUndefined,
                                       Layout::eTransferDstOptimal, VK_QUEUE_FAMILY_IGNORED,
                                       VK_QUEUE_FAMILY_IGNORED, frame.image, kWhole);
-  commands.pipelineBarrier(Stage::eTransfer, Stage::eTransfer, {}, {}, {}, toCopy);
+  commands.pipelineBarrier(vk::PipelineStageFlagBits::eTransfer, vk::PipelineStageFlagBits::eTransfer, {}, {},
+                           {}, toCopy);
   const vk::Extent3D extent(static_cast<std::uint32_t>(m_picture.size().x),
                             static_cast<std::uint32_t>(m_picture.size().y), 1);
   const vk::BufferImageCopy copy(0, 0, 0, {vk::ImageAspectFlagBits::eColor, 0, 0, 1}, {0, 0, 0}, extent);
@@ -85,7 +85,7 @@ bool Presenter::show(Vec2i filmSize, const DisplaySettings& display, Shows shows
       return false;
     record(*frame, filmSize, display, shows);
     m_context.device().resetFences(*m_drawn);
-    const vk::PipelineStageFlags waitsAt = Stage::eTransfer;
+    const vk::PipelineStageFlags waitsAt = vk::PipelineStageFlagBits::eTransfer;
     m_context.queue().submit(vk::SubmitInfo(frame->acquired, waitsAt, *m_commands[0], frame->drawn),
                              *m_drawn);
     m_swapchain.present(*frame);

@@ -11,7 +11,7 @@
 namespace vkpt::test {
 namespace {
 
-constexpr float kInfinity = std::numeric_limits<float>::infinity();
+constexpr float kInfinityF = std::numeric_limits<float>::infinity();
 
 /// The red bytes of the PNG that a row of reds becomes.
 std::vector<int> bytesOf(const std::vector<float>& reds, const DisplaySettings& display) {
@@ -29,8 +29,8 @@ std::vector<int> bytesOf(const std::vector<float>& reds, const DisplaySettings& 
 }
 
 TEST(Display, EveryFloatHasAByte) {
-  const std::vector<float> odd{std::nanf(""), -std::nanf(""), -1.0F,   -kInfinity, -0.0F,
-                               0.0F,          1.0F,           1.0001F, 3e38F,      kInfinity};
+  const std::vector<float> odd{std::nanf(""), -std::nanf(""), -1.0F,   -kInfinityF, -0.0F,
+                               0.0F,          1.0F,           1.0001F, 3e38F,       kInfinityF};
   const std::vector<int> clipped{0, 0, 0, 0, 0, 0, 255, 255, 255, 255};
   EXPECT_EQ(bytesOf(odd, {.tonemap = Tonemap::None}), clipped);
   EXPECT_EQ(bytesOf(odd, {.tonemap = Tonemap::Srgb}), clipped);

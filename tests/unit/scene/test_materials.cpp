@@ -7,9 +7,9 @@
 namespace vkpt::test {
 namespace {
 
-const std::string kUse = "mtllib scene.mtl\nusemtl m\n" + std::string(kSquare);
+const std::string kUseM = "mtllib scene.mtl\nusemtl m\n" + std::string(kSquare);
 
-Loaded loadMaterial(const std::string& body) { return loadText(kUse, "newmtl m\n" + body); }
+Loaded loadMaterial(const std::string& body) { return loadText(kUseM, "newmtl m\n" + body); }
 Material materialOf(const std::string& body) { return loadMaterial(body).scene.materials.at(0); }
 Vec3f emissionOf(const std::string& body) { return materialOf(body).emission; }
 
@@ -206,7 +206,7 @@ TEST(Libraries, FacesWithoutAnyMaterialAreGreyInSilence) {
 }
 
 TEST(Libraries, AMaterialKnowsItsLine) {
-  const auto [scene, report] = loadText(kUse, "# head\r\n\r\nnewmtl other\r\nnewmtl m\r\nKd 1 0 0\r\n");
+  const auto [scene, report] = loadText(kUseM, "# head\r\n\r\nnewmtl other\r\nnewmtl m\r\nKd 1 0 0\r\n");
   EXPECT_TRUE(scene.materials[0].where.text().ends_with("scene.mtl:4")) << scene.materials[0].where.text();
 }
 
@@ -231,7 +231,8 @@ TEST(Libraries, NamesMayHoldBlanksAndBackslashes) {
 TEST(Libraries, TwoFilesShareTheirMaterials) {
   const TempFolder folder;
   folder.write("scene.mtl", "newmtl m\nKd .5 0 0\nKs .5 1 1\nillum 2\n");
-  const auto [scene, report] = load({folder.write("a.obj", kUse), folder.write("b.obj", otherSquare(kUse))});
+  const auto [scene, report] =
+      load({folder.write("a.obj", kUseM), folder.write("b.obj", otherSquare(kUseM))});
   EXPECT_EQ(scene.triangles.size(), 4U);
   EXPECT_EQ(scene.materials.size(), 1U);
   EXPECT_EQ(report.warnings.size(), 1U) << "Ks without Ns";
