@@ -39,6 +39,14 @@ float filmFloat(uint plane, uint pixel) { return uintBitsToFloat(film[plane].val
 #define VKPT_CLOSE_KIND(k)                                                                                   \
   VKPT_CLOSE_KIND_CHANNEL(k, 0u) VKPT_CLOSE_KIND_CHANNEL(k, 1u) VKPT_CLOSE_KIND_CHANNEL(k, 2u)
 
+// The group joins the mean of its replicate.
+#define VKPT_JOIN_REPLICATE(channel, c)                                                                      \
+  {                                                                                                          \
+    vec4 means = uintBitsToFloat(imageLoad(replicateTexels[channel], int(pixel)));                           \
+    means[replicate] += (mean.c - means[replicate]) / float(groups / kReplicates + 1u);                      \
+    imageStore(replicateTexels[channel], int(pixel), floatBitsToUint(means));                                \
+  }
+
 void main() {
   uint slot = gl_GlobalInvocationID.x;
   uint x;
@@ -55,6 +63,13 @@ void main() {
     VKPT_MERGE_CHANNEL(0u, x)
     VKPT_MERGE_CHANNEL(1u, y)
     VKPT_MERGE_CHANNEL(2u, z)
+    if (kEffectSobol && frame.sampler == kSamplerSobol) {
+      uint groups = closed / kSamplesPerGroup;
+      uint replicate = groups % kReplicates;
+      VKPT_JOIN_REPLICATE(0, x)
+      VKPT_JOIN_REPLICATE(1, y)
+      VKPT_JOIN_REPLICATE(2, z)
+    }
     mean = vec3(0.0);
     deviations = vec3(0.0);
     if (kEffectKindImages) {

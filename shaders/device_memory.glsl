@@ -111,6 +111,7 @@ uint rouletteAfter() { return frame.rouletteAfter; }
 float survival() { return frame.survival; }
 uint lightStrategy() { return frame.lightStrategy; }
 uint lightSamples() { return frame.lightSamples; }
+uint samplerOfPath() { return frame.sampler; }
 uint splitDepth() { return frame.splitDepth; }
 uint pathKinds() { return frame.pathKinds; }
 uint deadHistories() { return frame.deadHistories; }
@@ -132,6 +133,7 @@ layout(set = 0, binding = kBindingCounters, std430) buffer CounterBlock { Counte
 layout(set = 0, binding = kBindingSlots, std430) buffer SlotBlock { uint slotLists[]; };
 layout(set = 0, binding = kBindingFilm, std430) buffer FilmBlock { uint values[]; }
 film[kFilmPlanes];
+layout(set = 0, binding = kBindingReplicates, rgba32ui) uniform restrict uimageBuffer replicateTexels[3];
 layout(set = 0, binding = kBindingKinds, std430) buffer KindBlock { float values[]; }
 kinds[kKindCount];
 

@@ -28,6 +28,7 @@ inline uint orderKey(Float x) { return std::bit_cast<uint>(static_cast<float>(x)
 inline Vec4 slabMin(const Vec4& a, const Vec4& b) { return glm::min(a, b); }
 inline Vec4 slabMax(const Vec4& a, const Vec4& b) { return glm::max(a, b); }
 inline uint subgroupMaximum(uint x) { return x; }
+inline uint reverseBits(uint v) { return static_cast<uint>(glm::bitfieldReverse(v)); }
 inline uint multiplyHigh(uint a, uint b) {
   return static_cast<uint>((static_cast<std::uint64_t>(a) * static_cast<std::uint64_t>(b)) >> 32U);
 }
@@ -58,6 +59,7 @@ uint orderKey(float x) { return floatBitsToUint(x); }
 vec4 slabMin(vec4 a, vec4 b) { return intBitsToFloat(min(floatBitsToInt(a), floatBitsToInt(b))); }
 vec4 slabMax(vec4 a, vec4 b) { return intBitsToFloat(max(floatBitsToInt(a), floatBitsToInt(b))); }
 uint subgroupMaximum(uint x) { return subgroupMax(x); }
+uint reverseBits(uint v) { return bitfieldReverse(v); }
 uint multiplyHigh(uint a, uint b) {
   uint high;
   uint low;

@@ -61,7 +61,8 @@
   X(54, TransmissionIsReflection, "specular transmission is taken for reflection")                           \
   X(55, CarriedBranchLost, "a path that goes on in the next dispatch forgets its waiting branches")          \
   X(56, CarriedPdfLost, "a path that goes on in the next dispatch forgets the density of its direction")     \
-  X(57, CarriedHistoryLost, "a path that goes on in the next dispatch forgets its kind")
+  X(57, CarriedHistoryLost, "a path that goes on in the next dispatch forgets its kind")                     \
+  X(91, ReplicatesAlike, "the replicates of a point set share their scrambling")
 
 // Those that tests/bsdf notices: by samples counted against their density, and by closed forms.
 #define VKPT_SAMPLING_MUTATIONS_LIST(X)                                                                      \

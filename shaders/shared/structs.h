@@ -32,7 +32,8 @@ VKPT_CONSTANT uint kBindingUvs = 10u;         // texel buffer: 2 texels a triang
 VKPT_CONSTANT uint kBindingTextures = 11u;    // texel buffer: a texel for each texture, then their pixels
 VKPT_CONSTANT uint kBindingEnvironment = 12u; // texel buffer: 2 texels for each of the map's
 VKPT_CONSTANT uint kBindingKinds = 13u;       // storage[kKindCount]: an image of each kind of light path
-VKPT_CONSTANT uint kBindingCount = 14u;
+VKPT_CONSTANT uint kBindingReplicates = 14u;  // texel buffer[3], by channel: a pixel's mean in each replicate
+VKPT_CONSTANT uint kBindingCount = 15u;
 
 // --- texels a record takes ---
 VKPT_CONSTANT uint kTexelsPerNode = 8u;
@@ -78,6 +79,13 @@ VKPT_CONSTANT uint kLightEnvironment = 0xFFFFFFFCu; // from here on no triangle
 VKPT_CONSTANT uint kStrategyNee = 0u;
 VKPT_CONSTANT uint kStrategyBsdf = 1u;
 VKPT_CONSTANT uint kStrategyMis = 2u;
+
+// --- random numbers: the values of vkpt::Sampler ---
+VKPT_CONSTANT uint kSamplerIndependent = 0u;
+VKPT_CONSTANT uint kSamplerSobol = 1u;
+// Groups of kSamplesPerGroup samples belong in turn to so many point sets, each scrambled by itself: what
+// they differ by tells the error.
+VKPT_CONSTANT uint kReplicates = 4u;
 
 // --- kinds of light path: the values of vkpt::PathKind ---
 VKPT_CONSTANT uint kKindEmission = 0u;
@@ -187,9 +195,9 @@ struct FrameConstants {
   uint environmentWidth;
   uint environmentHeight;
   uint lightStrategy;
+  uint sampler;
   uint unused0;
   uint unused1;
-  uint unused2;
   vec4 filterShape;                        // radius, and what the shape needs: lib/filter.glsl
   vec4 filterEdges[kFilterBins / 4u + 1u]; // edges of the bins, in pixels from the centre
 };

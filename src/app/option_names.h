@@ -16,6 +16,8 @@ inline constexpr std::array<std::string_view, kPathKindCount> kKindNames{
 inline constexpr std::array<std::string_view, 4> kFilterNames{"box", "tent", "gaussian", "mitchell"};
 inline constexpr std::array<std::string_view, 3> kTonemapNames{"none", "srgb", "aces"};
 
+inline constexpr std::array<std::string_view, 2> kSamplerNames{"independent", "sobol"};
+
 template<std::size_t N, class Enum>
 std::string_view nameOf(const std::array<std::string_view, N>& names, Enum value) {
   return names.at(static_cast<std::size_t>(value));

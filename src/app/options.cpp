@@ -163,6 +163,12 @@ void addEstimatorOptions(CLI::App& app, RenderOptions& o) {
       },
       "at glass follow both branches up to this trace depth, 0 to 16 (default 0)");
   addValue(
+      app, "--sampler", "independent|sobol",
+      [&e](const auto& text) {
+        e.sampler = static_cast<Sampler>(parseName("--sampler", text, kSamplerNames));
+      },
+      "random numbers: independent, or Owen-scrambled Sobol' points (default sobol)");
+  addValue(
       app, "--seed", "N",
       [&o](const auto& text) {
         o.seed = static_cast<std::uint32_t>(parseWhole("--seed", text, 0, kLargest32));

@@ -2,6 +2,7 @@
 
 #include "app/expanded_options.h"
 #include "app/load_scene.h"
+#include "app/option_names.h"
 #include "core/clock.h"
 
 #include <spdlog/spdlog.h>
@@ -27,6 +28,7 @@ RunReport reportOf(const RenderOptions& o, const PreparedRun& p) {
   report.width = p.scene.width;
   report.height = p.scene.height;
   report.targetError = p.job.targetError;
+  report.sampler = nameOf(kSamplerNames, p.estimator.sampler);
   report.seed = o.seed;
   report.arguments = o.arguments;
   report.sceneReport = p.sceneReport;

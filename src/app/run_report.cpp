@@ -94,6 +94,7 @@ nlohmann::ordered_json statsOf(const RunReport& r) {
   j["effects"] = r.effects;
   j["device"] = r.device;
   j["deviceBytes"] = r.deviceBytes;
+  j["sampler"] = r.sampler;
   j["seed"] = r.seed;
   j["bias"] = r.bias;
   j["notes"] = r.sceneReport.notes;

@@ -28,6 +28,7 @@ struct RunReport {
   std::optional<TailEstimate> tail;
   std::vector<std::string> effects;
   std::string device;
+  std::string sampler;
   std::uint32_t seed = 0;
   std::uint64_t deviceBytes = 0;
   SceneReport sceneReport;       ///< conventions of the file's framework that were applied, and warnings

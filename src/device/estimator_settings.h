@@ -2,6 +2,7 @@
 // How light transport is estimated: the options that decide what the kernel computes.
 
 #include "scene/scene.h"
+#include "shared/structs.h"
 
 #include <cstdint>
 #include <limits>
@@ -15,10 +16,17 @@ enum class RouletteMode : std::uint32_t {
   Constant = 2,   ///< end with a constant probability
 };
 
+/// Where random numbers come from.
+enum class Sampler : std::uint32_t {
+  Independent = shared::kSamplerIndependent,
+  Sobol = shared::kSamplerSobol, ///< Owen-scrambled, in shared::kReplicates replicates
+};
+
 inline constexpr std::uint32_t kUnlimitedBounces = std::numeric_limits<std::uint32_t>::max();
 inline constexpr std::uint32_t kAllPathKinds = (1U << kPathKindCount) - 1U;
 
 struct EstimatorSettings {
+  Sampler sampler = Sampler::Independent;
   LightStrategy light = LightStrategy::Mis;
   std::uint32_t lightSamples = 1;               ///< shadow rays at a surface point, 1 to kMaxLightSamples
   std::uint32_t maxBounces = kUnlimitedBounces; ///< 0: emitted light only, 1: + direct light, ...

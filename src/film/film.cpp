@@ -30,6 +30,8 @@ Vec3d PixelMoments::varianceOfMean() const {
   if (count < 2)
     return Vec3d(0.0);
   const auto n = static_cast<double>(count);
+  if (replicates >= 2)
+    return between / (n * (replicates - 1.0));
   return m2 / (n * (n - 1.0));
 }
 

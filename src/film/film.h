@@ -16,13 +16,17 @@ struct PixelMoments {
   std::uint64_t count = 0; ///< samples
   Vec3d mean{0.0};
   Vec3d m2{0.0};
+  /// Point sets, scrambled independently, that the samples belong to; below 2 the samples are taken as
+  /// independent.
+  std::uint32_t replicates = 0;
+  Vec3d between{0.0}; ///< sum over the replicates of samples times squared deviation of the mean
 
   /// Adds another set of samples: Chan, Golub, LeVeque 1979, "Updating formulae and a pairwise algorithm".
   /// Equal means leave mean and m2 as they are to the last bit; m2 never becomes negative; a set without
-  /// samples changes nothing.
+  /// samples changes nothing. The replicates are those of `this`.
   void merge(const PixelMoments& other);
-  /// Variance of the mean (squared standard error), m2 / (n (n - 1)) per channel; 0 while count < 2, where it
-  /// is not known.
+  /// Variance of the mean (squared standard error) per channel: m2 / (n (n - 1)), or
+  /// between / (n (replicates - 1)) where there are two replicates; 0 while count < 2, where it is not known.
   [[nodiscard]] Vec3d varianceOfMean() const;
 };
 

@@ -94,17 +94,20 @@ void Buffer::fillZero(const Context& context, vk::DeviceSize bytes) const {
       [&](const vk::raii::CommandBuffer& commands) { commands.fillBuffer(handle(), 0, bytes, 0); });
 }
 
-TexelBuffer::TexelBuffer(const Context& context, const std::string& what, std::span<const std::byte> data) {
-  const vk::DeviceSize texels = data.size() / kTexelBytes;
+TexelBuffer::TexelBuffer(const Context& context, const std::string& what, vk::DeviceSize texels) {
   if (texels > context.limits().maxTexelBufferElements) {
     throw DeviceError(fmt::format("{}: {} need {} texels; the device's limit is {}", context.info().name,
                                   what, texels, context.limits().maxTexelBufferElements));
   }
-  m_buffer =
-      Buffer(context, what, data.size(), vk::BufferUsageFlagBits::eStorageTexelBuffer, MemoryKind::Device);
-  m_buffer.write(context, data);
+  m_buffer = Buffer(context, what, texels * kTexelBytes, vk::BufferUsageFlagBits::eStorageTexelBuffer,
+                    MemoryKind::Device);
   m_view = vk::raii::BufferView(context.device(),
                                 {{}, m_buffer.handle(), vk::Format::eR32G32B32A32Uint, 0, m_buffer.bytes()});
+}
+
+TexelBuffer::TexelBuffer(const Context& context, const std::string& what, std::span<const std::byte> data)
+    : TexelBuffer(context, what, data.size() / kTexelBytes) {
+  m_buffer.write(context, data);
 }
 
 } // namespace vkpt::gpu

@@ -39,11 +39,14 @@ private:
   void* m_mapped = nullptr;
 };
 
-/// A read-only array of rgba32ui texels; at least one texel.
+/// An array of rgba32ui texels; at least one texel.
 class TexelBuffer {
 public:
   TexelBuffer() = default;
+  /// What it holds is not defined.
+  TexelBuffer(const Context& context, const std::string& what, vk::DeviceSize texels);
   TexelBuffer(const Context& context, const std::string& what, std::span<const std::byte> data);
+  [[nodiscard]] const Buffer& buffer() const { return m_buffer; }
   [[nodiscard]] vk::BufferView view() const { return *m_view; }
   [[nodiscard]] vk::DeviceSize bytes() const { return m_buffer.bytes(); }
 

@@ -22,9 +22,10 @@ BindingSet::BindingSet(const Context& context, std::span<const BindingLayout> bi
   m_sets = vk::raii::DescriptorSets(context.device(), {*m_pool, *m_layout});
 }
 
-void BindingSet::bind(const Context& context, std::uint32_t binding, const TexelBuffer& texels) const {
+void BindingSet::bind(const Context& context, std::uint32_t binding, const TexelBuffer& texels,
+                      std::uint32_t element) const {
   const vk::BufferView view = texels.view();
-  context.device().updateDescriptorSets(vk::WriteDescriptorSet(set(), binding, 0, 1,
+  context.device().updateDescriptorSets(vk::WriteDescriptorSet(set(), binding, element, 1,
                                                                vk::DescriptorType::eStorageTexelBuffer,
                                                                nullptr, nullptr, &view),
                                         {});

@@ -21,7 +21,8 @@ public:
   BindingSet(const Context& context, std::span<const BindingLayout> bindings,
              std::uint32_t pushConstantBytes);
 
-  void bind(const Context& context, std::uint32_t binding, const TexelBuffer& texels) const;
+  void bind(const Context& context, std::uint32_t binding, const TexelBuffer& texels,
+            std::uint32_t element = 0) const;
   void bind(const Context& context, std::uint32_t binding, const Buffer& buffer, vk::DescriptorType type,
             std::uint32_t element = 0) const;
 

@@ -30,6 +30,7 @@ constexpr auto kLayout = std::to_array<gpu::BindingLayout>({
     {kBindingTextures, DescriptorType::eStorageTexelBuffer},
     {kBindingEnvironment, DescriptorType::eStorageTexelBuffer},
     {kBindingKinds, DescriptorType::eStorageBuffer, kKindCount},
+    {kBindingReplicates, DescriptorType::eStorageTexelBuffer, 3},
 });
 static_assert(kLayout.size() == kBindingCount);
 
@@ -72,13 +73,15 @@ Integrator::Integrator(const gpu::Context& context, const DeviceScene& scene, co
       m_path(context, settings.pathShader.empty() ? spirv::kPath : settings.pathShader, m_bindings,
              specialise(source, effects, settings, scene.stackDepth)),
       m_commit(context, spirv::kCommit, m_bindings,
-               {{static_cast<std::uint32_t>(Effect::KindImages), effects.has(Effect::KindImages) ? 1U : 0U}}),
+               {{static_cast<std::uint32_t>(Effect::KindImages), effects.has(Effect::KindImages) ? 1U : 0U},
+                {static_cast<std::uint32_t>(Effect::Sobol), effects.has(Effect::Sobol) ? 1U : 0U}}),
       m_constantsBuffer(context, "frame constants", sizeof(FrameConstants),
                         vk::BufferUsageFlagBits::eUniformBuffer, gpu::MemoryKind::Host),
       m_countersBuffer(context, "counters", sizeof(Counters), vk::BufferUsageFlagBits::eStorageBuffer,
                        gpu::MemoryKind::Host),
       m_film(context, settings.width, settings.height),
-      m_kinds(context, settings.width, settings.height, effects.has(Effect::KindImages)) {
+      m_kinds(context, settings.width, settings.height, effects.has(Effect::KindImages)),
+      m_replicates(context, settings.width, settings.height, settings.estimator.sampler == Sampler::Sobol) {
   m_constantsBuffer.write(context, std::as_bytes(std::span{&m_constants, 1}));
   m_bindings.bind(context, kBindingFrame, m_constantsBuffer, DescriptorType::eUniformBuffer);
   m_bindings.bind(context, kBindingNodes, scene.nodes);
@@ -92,6 +95,7 @@ Integrator::Integrator(const gpu::Context& context, const DeviceScene& scene, co
   m_bindings.bind(context, kBindingEnvironment, scene.environment);
   m_film.bind(context, m_bindings);
   m_kinds.bind(context, m_bindings);
+  m_replicates.bind(context, m_bindings);
   reserveSlots(kBlockPixels);
 }
 
@@ -178,6 +182,7 @@ std::uint64_t Integrator::renderTile(const Tile& tile, std::uint64_t firstSample
 void Integrator::clear() {
   m_film.clear(m_context);
   m_kinds.clear(m_context);
+  m_replicates.clear(m_context);
 }
 
 void Integrator::forget() {
@@ -202,7 +207,23 @@ void Integrator::restart(const Scene& source, int width, int height) {
   m_film.bind(m_context, m_bindings);
   m_kinds.resize(m_context, width, height);
   m_kinds.bind(m_context, m_bindings);
+  m_replicates.resize(m_context, width, height);
+  m_replicates.bind(m_context, m_bindings);
   forget();
+}
+
+Film Integrator::film() const {
+  Film film = m_film.download(m_context);
+  m_replicates.addTo(m_context, 0, film.pixels);
+  return film;
+}
+
+PixelMoments Integrator::pixel(int x, int y) const {
+  PixelMoments moments = m_film.pixel(m_context, x, y);
+  const auto index =
+      static_cast<std::size_t>(y) * static_cast<std::size_t>(m_settings.width) + static_cast<std::size_t>(x);
+  m_replicates.addTo(m_context, index, std::span(&moments, 1));
+  return moments;
 }
 
 std::vector<std::vector<Vec3d>> Integrator::kindImages(const Film& film) const {

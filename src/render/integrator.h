@@ -6,6 +6,7 @@
 #include "gpu/compute_pipeline.h"
 #include "render/device_film.h"
 #include "render/device_kinds.h"
+#include "render/device_replicates.h"
 #include "shared/structs.h"
 
 namespace vkpt {
@@ -76,7 +77,9 @@ public:
   /// Throws UsageError as the constructor does, and leaves all as it was where the camera has no direction.
   void restart(const Scene& source, int width, int height);
 
-  [[nodiscard]] Film film() const { return m_film.download(m_context); }
+  [[nodiscard]] Film film() const;
+  /// One pixel of it.
+  [[nodiscard]] PixelMoments pixel(int x, int y) const;
   [[nodiscard]] const DeviceFilm& deviceFilm() const { return m_film; }
   /// Mean radiance of each kind of light path, by pixel; empty unless settings.estimator.kindImages.
   [[nodiscard]] std::vector<std::vector<Vec3d>> kindImages(const Film& film) const;
@@ -84,7 +87,9 @@ public:
   /// The first kMaxFaultRecords faults.
   [[nodiscard]] const std::vector<Fault>& faults() const { return m_faults; }
   [[nodiscard]] const IntegratorSettings& settings() const { return m_settings; }
-  [[nodiscard]] std::uint64_t filmBytes() const { return m_film.bytes() + m_kinds.bytes(); }
+  [[nodiscard]] std::uint64_t filmBytes() const {
+    return m_film.bytes() + m_kinds.bytes() + m_replicates.bytes();
+  }
 
 private:
   void reserveSlots(std::uint32_t slots);
@@ -106,6 +111,7 @@ private:
   std::uint32_t m_slots = 0;
   DeviceFilm m_film;
   DeviceKinds m_kinds;
+  DeviceReplicates m_replicates;
   RunCounters m_counters;
   std::vector<Fault> m_faults;
 };

@@ -73,6 +73,7 @@ MemoryPlan planMemory(const gpu::Context& context, const PackedScene& packed, co
   storage("film", kFilmPlanes, std::max(kSmallestBuffer, pixels * sizeof(std::uint32_t)));
   storage("kinds of light path", kKindCount,
           (effects.has(Effect::KindImages) ? pixels : 1) * kKindPlanes * sizeof(float));
+  texels("means of replicates", 3 * (estimator.sampler == Sampler::Sobol ? pixels : 1) * sizeof(Texel));
   storage("path states, at most", 1, pathStateBytes(slots, estimator.splitDepth));
   storage("slot lists, at most", 1, slotListBytes(slots));
   return plan;
@@ -98,6 +99,8 @@ std::uint64_t effectBytes(Effect effect, const PackedScene& packed, const Effect
     return sizeOf(packed.environment);
   case Effect::Splitting:
     return pathStateBytes(slots, estimator.splitDepth) - pathStateBytes(slots, 0);
+  case Effect::Sobol:
+    return estimator.sampler == Sampler::Sobol ? 3 * pixelsOf(width, height) * sizeof(Texel) : 0;
   case Effect::KindImages:
     return pixelsOf(width, height) * kKindCount * kKindPlanes * sizeof(float);
   default:

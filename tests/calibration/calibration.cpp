@@ -64,8 +64,9 @@ const gpu::Context& sharedContext() {
   return context;
 }
 
-StudySetting defaultSetting(const Scene& scene) {
+StudySetting defaultSetting(const Scene& scene, Sampler sampler) {
   StudySetting setting;
+  setting.estimator.sampler = sampler;
   setting.filter = scene.filter;
   setting.effects = detectEffects(scene, setting.estimator);
   return setting;
@@ -80,7 +81,8 @@ Scene sceneOf(const std::string& name, int width, int height) {
   return scene;
 }
 
-SeedRuns::SeedRuns(const Scene& scene) : m_run(sharedContext(), scene, defaultSetting(scene)) {}
+SeedRuns::SeedRuns(const Scene& scene, Sampler sampler)
+    : m_run(sharedContext(), scene, defaultSetting(scene, sampler)) {}
 
 Film SeedRuns::render(std::uint32_t seed, std::uint64_t frames) {
   m_run.restart(seed);

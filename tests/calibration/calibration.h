@@ -14,16 +14,16 @@ namespace vkpt::test {
 /// Made at the first call, with the validation layer on.
 const gpu::Context& sharedContext();
 
-/// The default estimator.
-StudySetting defaultSetting(const Scene& scene);
+/// The default estimator with this sampler.
+StudySetting defaultSetting(const Scene& scene, Sampler sampler = Sampler::Independent);
 
 /// A built-in scene or a file of assets/, at a size of its own.
 Scene sceneOf(const std::string& name, int width, int height);
 
-/// The scene with the default estimator on a validated device, seed after seed.
+/// The scene with the default estimator and a sampler on a validated device, seed after seed.
 class SeedRuns {
 public:
-  explicit SeedRuns(const Scene& scene);
+  explicit SeedRuns(const Scene& scene, Sampler sampler = Sampler::Independent);
   /// So many frames with this seed.
   Film render(std::uint32_t seed, std::uint64_t frames);
   /// Until the upper 95 % bound of the relative error is at most this, by the rule of renderUntil().
@@ -44,7 +44,8 @@ struct Calibration {
   /// chi-square with seeds - 1 degrees of freedom.
   Vec3d meanScatter{0.0};
   /// For every pixel and the green channel: sample variance of the films' values over the mean of their
-  /// squared standard errors; of F with seeds - 1 and seeds (samples - 1) degrees where samples are normal.
+  /// squared standard errors; of F with seeds - 1 and seeds (samples - 1) degrees where samples are normal
+  /// and independent.
   std::vector<double> pixelRatios;
 };
 Calibration calibrationOf(const std::vector<Film>& films);

@@ -27,13 +27,16 @@ double probabilityOf(double chiSquare, double degrees) {
 
 } // namespace
 
-void expectCalibrated(const Scene& scene, std::uint32_t seeds, std::uint64_t frames) {
-  SeedRuns runs(scene);
+void expectCalibrated(const Scene& scene, std::uint32_t seeds, std::uint64_t frames, Sampler sampler) {
+  SeedRuns runs(scene, sampler);
   std::vector<Film> films;
   for (std::uint32_t i = 0; i < seeds; ++i)
     films.push_back(runs.render(seedOfTest() + i, frames));
   const Calibration c = calibrationOf(films);
-  const boost::math::fisher_f law(seeds - 1.0, seeds * (static_cast<double>(frames) - 1.0));
+  const double independent = sampler == Sampler::Sobol
+                                 ? shared::kReplicates
+                                 : static_cast<double>(frames); // whose scatter is measured
+  const boost::math::fisher_f law(seeds - 1.0, seeds * (independent - 1.0));
   const double fit = fitProbability(
       c.pixelRatios, [&law](double ratio) { return boost::math::cdf(law, ratio); }, kCells);
   fmt::print(
@@ -47,8 +50,9 @@ void expectCalibrated(const Scene& scene, std::uint32_t seeds, std::uint64_t fra
     EXPECT_GT(probabilityOf(c.meanScatter[channel], seeds - 1.0), kAlpha / 3.0) << c.meanScatter[channel];
 }
 
-void expectTargetKept(const Scene& scene, double target, std::uint32_t seeds, std::uint64_t referenceFrames) {
-  SeedRuns runs(scene);
+void expectTargetKept(const Scene& scene, double target, std::uint32_t seeds, std::uint64_t referenceFrames,
+                      Sampler sampler) {
+  SeedRuns runs(scene, sampler);
   const Reference reference(runs.render(~seedOfTest(), referenceFrames));
   EXPECT_LT(reference.noise().relMse, 0.1 * target * target) << "the reference would decide";
   std::uint32_t kept = 0;

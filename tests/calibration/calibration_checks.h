@@ -9,11 +9,13 @@ namespace vkpt::test {
 
 /// `error.relative` is within a tenth of what the seeds differ by; the scatter of the image's mean, and of
 /// each pixel, has the distribution that the standard errors say.
-void expectCalibrated(const Scene& scene, std::uint32_t seeds, std::uint64_t frames);
+void expectCalibrated(const Scene& scene, std::uint32_t seeds, std::uint64_t frames,
+                      Sampler sampler = Sampler::Independent);
 
 /// With this target the true relative error, against a reference of so many frames, is at most 1.1 times it
 /// in nine of ten seeds.
-void expectTargetKept(const Scene& scene, double target, std::uint32_t seeds, std::uint64_t referenceFrames);
+void expectTargetKept(const Scene& scene, double target, std::uint32_t seeds, std::uint64_t referenceFrames,
+                      Sampler sampler = Sampler::Independent);
 
 /// What a slope is taken over. A frame's time is constant on a quiet machine alone.
 enum class SlopeOver { frames, framesAndTime };

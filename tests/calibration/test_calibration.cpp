@@ -7,6 +7,8 @@ namespace {
 
 TEST(Calibration, OfTheCornellBox) { expectCalibrated(sceneOf("cornell", 48, 48), 24, 256); }
 
+TEST(Calibration, OfSobolPoints) { expectCalibrated(sceneOf("cornell", 48, 48), 24, 256, Sampler::Sobol); }
+
 TEST(TargetError, IsKeptInNineOfTenRuns) { expectTargetKept(sceneOf("cornell", 16, 16), 0.1, 40, 16384); }
 
 TEST(Slope, IsThatOfIndependentSamples) {

@@ -11,9 +11,23 @@ TEST(CalibrationLong, OfTheBlocks) { expectCalibrated(sceneOf("cornell", 32, 32)
 TEST(CalibrationLong, OfTheSpheres) { expectCalibrated(sceneOf("cornell-spheres", 32, 32), kSeeds, 2048); }
 TEST(CalibrationLong, OfTheBoxLitFromTheSide) { expectCalibrated(sceneOf("cbox.xml", 32, 32), kSeeds, 512); }
 
+TEST(CalibrationLong, OfTheBlocksBySobol) {
+  expectCalibrated(sceneOf("cornell", 32, 32), kSeeds, 512, Sampler::Sobol);
+}
+TEST(CalibrationLong, OfTheSpheresBySobol) {
+  expectCalibrated(sceneOf("cornell-spheres", 32, 32), kSeeds, 2048, Sampler::Sobol);
+}
+TEST(CalibrationLong, OfTheBoxLitFromTheSideBySobol) {
+  expectCalibrated(sceneOf("cbox.xml", 32, 32), kSeeds, 512, Sampler::Sobol);
+}
+
 TEST(TargetErrorLong, IsKeptOnTheBlocks) { expectTargetKept(sceneOf("cornell", 32, 32), 0.1, 100, 16384); }
 TEST(TargetErrorLong, IsKeptOnTheSpheres) {
   expectTargetKept(sceneOf("cornell-spheres", 32, 32), 0.2, 100, 16384);
+}
+
+TEST(TargetErrorLong, IsKeptOnTheBlocksBySobol) {
+  expectTargetKept(sceneOf("cornell", 32, 32), 0.1, 100, 16384, Sampler::Sobol);
 }
 
 TEST(SlopeLong, IsThatOfIndependentSamples) {

@@ -23,6 +23,7 @@ std::span<const Check> environmentChecks();
 std::span<const Check> filterChecks();
 std::span<const Check> kindChecks();
 std::span<const Check> rouletteChecks();
+std::span<const Check> sobolChecks();
 std::span<const Check> splittingChecks();
 std::span<const Check> strategyChecks();
 std::span<const Check> surfaceChecks();

@@ -48,6 +48,7 @@ constexpr Watch kWatches[] = {
     {Mutation::PixelNotJittered, "imageLayout"},
     {Mutation::ImageFlipped, "imageLayout"},
     {Mutation::CarriedEmitLost, "carriedPaths"},
+    {Mutation::ReplicatesAlike, "sobolTellsItsError"},
     {Mutation::CarriedThroughputLost, "carriedPaths"},
     {Mutation::TooFewSamplesInMean, "filmOfSamples"},
     {Mutation::DeviationsFromOldMean, "filmOfSamples"},

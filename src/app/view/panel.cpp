@@ -104,6 +104,7 @@ void drawKinds(EstimatorSettings& e) {
 
 void drawEstimator(ViewSettings& settings) {
   EstimatorSettings& e = settings.estimator;
+  choice("samples", kSamplerNames, e.sampler);
   choice("lights found by", kLightNames, e.light);
   bool limited = e.maxBounces != kUnlimitedBounces;
   if (ImGui::Checkbox("limit bounces", &limited)) {

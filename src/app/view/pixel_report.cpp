@@ -19,7 +19,7 @@ HostSettings hostSettings(const Stage& stage) {
 
 PixelReport reportPixel(const gpu::Context& context, const Stage& stage, const ViewSettings& settings,
                         Vec2i pixel) {
-  const PixelMoments film = stage.integrator().deviceFilm().pixel(context, pixel.x, pixel.y);
+  const PixelMoments film = stage.integrator().pixel(pixel.x, pixel.y);
   PixelReport report{pixel, film.count, film.mean, glm::sqrt(film.varianceOfMean()), {}, 0};
   if (settings.estimates()) {
     report.kindSamples = std::clamp<std::uint64_t>(film.count, 1, kKindSamples);

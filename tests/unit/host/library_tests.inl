@@ -323,4 +323,98 @@ TEST(SUITE(Numbers), BlocksAreUniform) {
   }
 }
 
+/// Sample number n of a replicate, whose groups of 16 come every fourth time.
+inline uint sampleOfReplicate(uint replicate, uint n) {
+  return (n / kSamplesPerGroup * kReplicates + replicate) * kSamplesPerGroup + n % kSamplesPerGroup;
+}
+
+/// Of 2^m points one falls into each elementary interval of area 2^-m: (0, m, 2)-nets, Niederreiter 1987.
+inline bool isNet(const std::vector<std::array<uint, 2>>& points) {
+  const auto m = static_cast<uint>(std::countr_zero(points.size()));
+  for (uint columns = 0; columns <= m; ++columns) {
+    std::vector<bool> taken(points.size());
+    for (const auto& [x, y] : points) {
+      const auto top = [](uint v, uint bits) { return bits == 0 ? 0U : v >> (32U - bits); };
+      const uint cell = (top(x, columns) << (m - columns)) | top(y, m - columns);
+      if (taken[cell])
+        return false;
+      taken[cell] = true;
+    }
+  }
+  return true;
+}
+
+TEST(SUITE(Sobol), EveryPowerOfTwoOfAReplicateIsANet) {
+  Stage stage;
+  test::Random random;
+  for (int trial = 0; trial < 200; ++trial) {
+    const uint pixel = random.bits(), block = random.bits(), key = random.bits(),
+               replicate = random.bits() % 4;
+    const uint size = 1U << (random.bits() % 11U);
+    const uint first = size * (random.bits() % 4U);
+    std::vector<std::array<uint, 2>> xy, zw;
+    for (uint n = first; n < first + size; ++n) {
+      const UVec4 p = stage.lib.sobolBlock(pixel, sampleOfReplicate(replicate, n), block, key);
+      xy.push_back({p.x, p.y});
+      zw.push_back({p.z, p.w});
+    }
+    ASSERT_TRUE(isNet(xy)) << size << " points from " << first;
+    ASSERT_TRUE(isNet(zw)) << size << " points from " << first;
+  }
+}
+
+// No number of one point set goes with the same number of another one (5 deviations), nor does the order of
+// 16 points. Of two numbers whose order first differs in bit l, each such pair lies in different halves of a
+// stratum of 2^l numbers: their correlation is -3 4^-l / 2^(l-1), and that of 16 numbers of independent sets
+// has a mean square of (1 + sum over l of 9 16^-l / 2^(l-1)) / 16.
+TEST(SUITE(Sobol), PointSetsAreIndependent) {
+  Stage stage;
+  test::Random random;
+  constexpr int kTrials = 20000;
+  const auto centred = [](uint v) { return double(v) * number(0x1p-32L) - number(0.5L); };
+  struct Other {
+    const char* what;
+    uint pixel, replicate, block, key;
+  };
+  for (const Other& other : {Other{"pair", 0, 0, 0, 0}, Other{"pixel", 1, 0, 0, 0},
+                             Other{"replicate", 0, 1, 0, 0}, Other{"block", 0, 0, Library::kBlockStride, 0},
+                             Other{"bounce", 0, 0, 1, 0}, Other{"seed", 0, 0, 0, 1}}) {
+    double products = 0;
+    double squares = 0;
+    for (int trial = 0; trial < kTrials; ++trial) {
+      const uint pixel = random.bits(), block = random.bits(), key = random.bits();
+      const bool pair = other.pixel + other.replicate + other.block + other.key == 0;
+      double sum = 0;
+      for (uint n = 0; n < kSamplesPerGroup; ++n) {
+        const UVec4 a = stage.lib.sobolBlock(pixel, sampleOfReplicate(0, n), block, key);
+        const UVec4 b = stage.lib.sobolBlock(pixel + other.pixel, sampleOfReplicate(other.replicate, n),
+                                             block + other.block, key + other.key);
+        sum += centred(a.x) * centred(pair ? b.z : b.x);
+        if (n == 0)
+          products += 12 * centred(a.x) * centred(pair ? b.z : b.x);
+      }
+      const double correlation = sum / (number(double(kSamplesPerGroup)) / 12);
+      squares += correlation * correlation;
+    }
+    EXPECT_LT(std::abs(products), 5 * std::sqrt(double(kTrials))) << other.what;
+    EXPECT_NEAR(squares / kTrials, number(0.0988L), number(0.005L)) << other.what; // 5 deviations
+  }
+}
+
+TEST(SUITE(Sobol), PointsAreUniform) {
+  Stage stage;
+  constexpr uint kBins = 256;
+  constexpr uint kCount = 1U << 20U;
+  for (int output = 0; output < 4; ++output) {
+    std::array<uint, kBins> bins{};
+    for (uint pixel = 0; pixel < kCount; ++pixel)
+      ++bins[stage.lib.sobolBlock(pixel, 3, 5, 7)[output] >> 24U];
+    double chi2 = 0;
+    const double expected = double(kCount) / kBins;
+    for (const uint n : bins)
+      chi2 += (n - expected) * (n - expected) / expected;
+    EXPECT_NEAR(chi2, kBins - 1, 5 * std::sqrt(double(2 * (kBins - 1)))) << output;
+  }
+}
+
 } // namespace

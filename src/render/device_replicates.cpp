@@ -1,0 +1,80 @@
+#include "render/device_replicates.h"
+
+#include "shared/structs.h"
+
+#include <array>
+
+namespace vkpt {
+namespace {
+
+using namespace shared;
+using Means = std::array<float, kReplicates>; // a texel
+
+/// Of the samples in full groups, which belong to the replicates in turn.
+void addPixel(PixelMoments& moments, const std::array<Means, 3>& means) {
+  const std::uint64_t groups = moments.count / kSamplesPerGroup;
+  const auto groupsOf = [groups](std::uint32_t replicate) {
+    return static_cast<double>((groups + kReplicates - 1 - replicate) / kReplicates);
+  };
+  moments.replicates = static_cast<std::uint32_t>(std::min<std::uint64_t>(groups, kReplicates));
+  for (int c = 0; c < 3; ++c) {
+    const Means& m = means[static_cast<std::size_t>(c)];
+    double sum = 0.0;
+    for (std::uint32_t r = 0; r < moments.replicates; ++r)
+      sum += groupsOf(r) * static_cast<double>(m[r]);
+    const double mean = sum / static_cast<double>(groups);
+    moments.between[c] = 0.0;
+    for (std::uint32_t r = 0; r < moments.replicates; ++r) {
+      const double deviation = static_cast<double>(m[r]) - mean;
+      moments.between[c] += groupsOf(r) * kSamplesPerGroup * deviation * deviation;
+    }
+  }
+}
+
+} // namespace
+
+DeviceReplicates::DeviceReplicates(const gpu::Context& context, int width, int height, bool wanted)
+    : m_wanted(wanted) {
+  const std::uint64_t pixels =
+      wanted ? static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(height) : 1;
+  for (int c = 0; c < 3; ++c)
+    m_means.emplace_back(context, "means of replicates", pixels);
+  clear(context);
+}
+
+void DeviceReplicates::resize(const gpu::Context& context, int width, int height) {
+  if (m_wanted)
+    *this = DeviceReplicates(context, width, height, true);
+}
+
+void DeviceReplicates::bind(const gpu::Context& context, const gpu::BindingSet& bindings) const {
+  for (std::uint32_t c = 0; c < 3; ++c)
+    bindings.bind(context, kBindingReplicates, m_means[c], c);
+}
+
+void DeviceReplicates::clear(const gpu::Context& context) const {
+  for (const auto& means : m_means)
+    means.buffer().fillZero(context);
+}
+
+void DeviceReplicates::addTo(const gpu::Context& context, std::size_t first,
+                             std::span<PixelMoments> moments) const {
+  if (!m_wanted)
+    return;
+  std::array<std::vector<Means>, 3> means;
+  for (std::size_t c = 0; c < 3; ++c) {
+    means[c].resize(moments.size());
+    m_means[c].buffer().read(context, std::as_writable_bytes(std::span{means[c]}), first * sizeof(Means));
+  }
+  for (std::size_t i = 0; i < moments.size(); ++i)
+    addPixel(moments[i], {means[0][i], means[1][i], means[2][i]});
+}
+
+std::uint64_t DeviceReplicates::bytes() const {
+  std::uint64_t sum = 0;
+  for (const auto& means : m_means)
+    sum += means.bytes();
+  return sum;
+}
+
+} // namespace vkpt
