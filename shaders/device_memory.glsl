@@ -111,7 +111,7 @@ uint rouletteAfter() { return frame.rouletteAfter; }
 float survival() { return frame.survival; }
 uint lightStrategy() { return frame.lightStrategy; }
 uint lightSamples() { return frame.lightSamples; }
-uint samplerOfPath() { return frame.sampler; }
+uint pointSampler() { return frame.pointSampler; }
 uint splitDepth() { return frame.splitDepth; }
 uint pathKinds() { return frame.pathKinds; }
 uint deadHistories() { return frame.deadHistories; }

@@ -1,6 +1,7 @@
 // The whole library in the order it needs. The including program defines the accessors between records.glsl and
 // this file.
 #include "rng.glsl"
+#include "sampler.glsl"
 #include "frame.glsl"
 #include "ray.glsl"
 #include "triangle.glsl"

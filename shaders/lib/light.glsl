@@ -11,12 +11,21 @@ struct LightSample {
 };
 
 // One texel of each record holds a row of Walker's alias table (Walker 1977; Vose 1991): the integer part of the
-// choice picks a row, a second number its owner or its alias.
-LightRecord chooseLight(UVec4 random) {
+// choice picks a row, its fraction the owner or the alias, and what is left of that a point on the light: so the points
+// of all lights together are as well spread as random.z and random.w. random.x has the bits that many lights use up.
+LightRecord chooseLight(UVec4 random, OUT(Vec2) point) {
   uint index = 0u;
+  point = Vec2(toUnit(random.z), toUnit(random.w));
   if (kEffectManyLights) {
-    uint row = multiplyHigh(random.x, lightCount());
-    index = MUTATE(AliasIgnored, toUnit(random.y) < lightRecord(row).threshold, true) ? row : lightRecord(row).alias;
+    uint row = multiplyHigh(random.z, lightCount());
+    uint low = random.z * lightCount();
+    uint fraction = low + multiplyHigh(random.x, lightCount());
+    row += fraction < low ? 1u : 0u; // stays below: the last row has no carry
+    Float threshold = lightRecord(row).threshold;
+    Float u = toUnit(fraction);
+    bool owner = MUTATE(AliasIgnored, u < threshold, true);
+    index = owner ? row : lightRecord(row).alias;
+    point.x = owner ? u / threshold : (u - threshold) / (1.0 - threshold);
   }
   return lightRecord(index);
 }
@@ -49,7 +58,8 @@ LightSample sampleTriangle(LightRecord light, Vec3 p, Vec2 u) {
 
 // Seen from p. `random` chooses the light and a point on it, `more` a direction to the environment.
 LightSample sampleLight(Vec3 p, UVec4 random, UVec4 more) {
-  LightRecord light = chooseLight(random);
+  Vec2 point;
+  LightRecord light = chooseLight(random, point);
   LightSample s;
   s.wi = Vec3(0.0, 0.0, 1.0);
   s.L = Vec3(0.0);
@@ -57,7 +67,7 @@ LightSample sampleLight(Vec3 p, UVec4 random, UVec4 more) {
   s.delta = false;
   s.distant = false;
   s.end = p;
-  if (kEffectAreaLights) s = sampleTriangle(light, p, Vec2(toUnit(random.z), toUnit(random.w)));
+  if (kEffectAreaLights) s = sampleTriangle(light, p, point);
   s.triangle = light.triangle;
   if (kEffectDeltaLights && (light.triangle == kLightPoint || light.triangle == kLightDirectional)) {
     s.distant = light.triangle == kLightDirectional;

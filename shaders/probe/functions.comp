@@ -140,7 +140,7 @@ void main() {
   if (kFunction == 6u) { // a.x: 32 random bits
     results[2u * i] = uvec4(floatBitsToUint(toUnit(a.x)), 0u, 0u, 0u);
   } else if (kFunction == 7u) { // a: pixel, sample, block, key
-    results[2u * i] = randomBlock(a.x, a.y, a.z, a.w);
+    results[2u * i] = independentBlock(a.x, a.y, a.z, a.w);
   } else {
     Row r = function(Row(uintBitsToFloat(a), uintBitsToFloat(b)));
     results[2u * i] = floatBitsToUint(r.a);

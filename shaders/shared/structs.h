@@ -195,7 +195,7 @@ struct FrameConstants {
   uint environmentWidth;
   uint environmentHeight;
   uint lightStrategy;
-  uint sampler;
+  uint pointSampler;
   uint unused0;
   uint unused1;
   vec4 filterShape;                        // radius, and what the shape needs: lib/filter.glsl

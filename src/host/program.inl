@@ -118,7 +118,7 @@ public:
   Float survival() const { return m_frame.survival; }
   uint lightStrategy() const { return m_frame.lightStrategy; }
   uint lightSamples() const { return m_frame.lightSamples; }
-  uint samplerOfPath() const { return m_frame.sampler; }
+  uint pointSampler() const { return m_frame.pointSampler; }
   uint splitDepth() const { return m_frame.splitDepth; }
   uint pathKinds() const { return m_frame.pathKinds; }
   uint deadHistories() const { return m_frame.deadHistories; }

@@ -51,7 +51,7 @@ void sobolIsWorthMore(Trial& t) {
   const LitFloor floor = litFloor();
   const double independent = errorsOf(renderAt(t, floor.scene, {}, 512), floor.radiance).measured;
   const double sobol = errorsOf(renderAt(t, floor.scene, bySobol({}), 512), floor.radiance).measured;
-  t.atMost("512 frames: variance, of independent samples'", sobol / independent, 0.1);
+  t.atMost("512 frames: variance, of independent samples'", sobol / independent, 0.05);
 }
 
 constexpr Check kSobolChecks[] = {

@@ -17,7 +17,7 @@ HostSettings hostSettings(const Stage& stage) {
 
 } // namespace
 
-PixelReport reportPixel(const gpu::Context& context, const Stage& stage, const ViewSettings& settings,
+PixelReport reportPixel(const Stage& stage, const ViewSettings& settings,
                         Vec2i pixel) {
   const PixelMoments film = stage.integrator().pixel(pixel.x, pixel.y);
   PixelReport report{pixel, film.count, film.mean, glm::sqrt(film.varianceOfMean()), {}, 0};

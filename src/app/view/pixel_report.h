@@ -18,7 +18,7 @@ struct PixelReport {
 };
 
 /// From the film, and for the kinds by the same estimator on the host: the film holds no kinds.
-PixelReport reportPixel(const gpu::Context& context, const Stage& stage, const ViewSettings& settings,
+PixelReport reportPixel(const Stage& stage, const ViewSettings& settings,
                         Vec2i pixel);
 
 /// Where the ray through a pixel's middle region first meets the scene, in world coordinates.

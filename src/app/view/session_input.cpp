@@ -62,7 +62,7 @@ void Session::hearMouse(const Input& input) {
     }
   }
   if (input.middleClick) {
-    m_facts.pixel = reportPixel(m_context, m_stage, m_begun, pixelAt(*input.middleClick));
+    m_facts.pixel = reportPixel(m_stage, m_begun, pixelAt(*input.middleClick));
     m_settings.panel = true;
     const PixelReport& p = *m_facts.pixel;
     nlohmann::json kinds = nlohmann::json::array();
