@@ -63,7 +63,7 @@ void main() {
     VKPT_MERGE_CHANNEL(0u, x)
     VKPT_MERGE_CHANNEL(1u, y)
     VKPT_MERGE_CHANNEL(2u, z)
-    if (kEffectSobol && frame.pointSampler == kSamplerSobol) {
+    if (kSampler == kSamplerSobol) {
       uint groups = closed / kSamplesPerGroup;
       uint replicate = groups % kReplicates;
       VKPT_JOIN_REPLICATE(0, x)

@@ -6,6 +6,7 @@
 VKPT_EFFECTS(VKPT_DECLARE_EFFECT)
 layout(constant_id = 64) const uint kStackDepth = kMaxStackDepth; // kConstantStackDepth
 layout(constant_id = 65) const uint kRouletteMode = 1u; // kConstantRouletteMode
+layout(constant_id = 68) const uint kSampler = kSamplerIndependent; // kConstantSampler
 layout(constant_id = 66) const uint kFilterShape = 0u; // kConstantFilterShape
 
 layout(set = 0, binding = kBindingFrame, std140) uniform FrameBlock { FrameConstants frame; };
@@ -111,7 +112,6 @@ uint rouletteAfter() { return frame.rouletteAfter; }
 float survival() { return frame.survival; }
 uint lightStrategy() { return frame.lightStrategy; }
 uint lightSamples() { return frame.lightSamples; }
-uint pointSampler() { return frame.pointSampler; }
 uint splitDepth() { return frame.splitDepth; }
 uint pathKinds() { return frame.pathKinds; }
 uint deadHistories() { return frame.deadHistories; }

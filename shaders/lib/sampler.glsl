@@ -60,7 +60,7 @@ UVec4 independentBlock(uint pixel, uint sampleLow, uint block, uint key) {
 }
 
 UVec4 randomBlock(uint pixel, uint sampleLow, uint block, uint key) {
-  if (kEffectSobol && pointSampler() == kSamplerSobol) return sobolBlock(pixel, sampleLow, block, key);
+  if (kSampler == kSamplerSobol) return sobolBlock(pixel, sampleLow, block, key);
   return independentBlock(pixel, sampleLow, block, key);
 }
 

@@ -32,8 +32,7 @@
   X(24, KindImages, kindImages, "--output-paths")                                                            \
   X(25, PixelFilter, pixelFilter, "a reconstruction filter other than a box of one pixel")                   \
   X(26, Ggx, ggx, "rough metal or rough glass with the distribution ggx")                                    \
-  X(27, Beckmann, beckmann, "rough metal or rough glass with the distribution beckmann")                     \
-  X(28, Sobol, sobol, "--sampler sobol")
+  X(27, Beckmann, beckmann, "rough metal or rough glass with the distribution beckmann")
 
 // How surfaces scatter: X(Name of the effect, Type). A type's number is its effect's id; sampleTYPE() and,
 // unless it is specular, evaluateTYPE() are chosen by it (shaders/lib/scatter.glsl). What is not diffuse:

@@ -49,6 +49,7 @@ VKPT_CONSTANT uint kConstantStackDepth = 64u;
 VKPT_CONSTANT uint kConstantRouletteMode = 65u;
 
 VKPT_CONSTANT uint kConstantFilterShape = 66u;
+VKPT_CONSTANT uint kConstantSampler = 68u;
 VKPT_CONSTANT uint kConstantPrimaryView = 67u; // of path.comp built with VKPT_PRIMARY
 
 VKPT_CONSTANT uint kPrimaryBaseColour = 0u;
@@ -195,9 +196,9 @@ struct FrameConstants {
   uint environmentWidth;
   uint environmentHeight;
   uint lightStrategy;
-  uint pointSampler;
   uint unused0;
   uint unused1;
+  uint unused2;
   vec4 filterShape;                        // radius, and what the shape needs: lib/filter.glsl
   vec4 filterEdges[kFilterBins / 4u + 1u]; // edges of the bins, in pixels from the centre
 };

@@ -86,7 +86,6 @@ shared::FrameConstants frameConstants(const Scene& scene, const LightChoice& lig
   c.environmentProbability = lights.environmentProbability;
   c.environmentWidth = static_cast<std::uint32_t>(scene.environment.width);
   c.environmentHeight = static_cast<std::uint32_t>(scene.environment.height);
-  c.pointSampler = static_cast<std::uint32_t>(estimator.sampler);
   c.maxBounces = estimator.maxBounces;
   c.rouletteAfter = estimator.effectiveRouletteAfter();
   c.survival = static_cast<float>(1.0 - estimator.termination);

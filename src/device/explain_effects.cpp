@@ -240,10 +240,6 @@ private:
   }
 
   void image() {
-    if (m_settings.sampler == Sampler::Sobol)
-      on(Effect::Sobol, "--sampler sobol");
-    else
-      miss(Effect::Sobol, "--sampler independent");
     if (m_settings.kindImages) {
       on(Effect::KindImages, "--output-paths");
       on(Effect::PathKinds, "--output-paths");

@@ -5,5 +5,5 @@ inline Program<RuntimeEffects> makeProgram(const PackedScene& scene, const Scene
   return {scene,
           frameConstants(source, scene.lightChoice, settings.estimator, settings.width, settings.height,
                          settings.seed),
-          effects, settings.estimator.roulette, source.filter.shape};
+          effects, settings.estimator.roulette, source.filter.shape, settings.estimator.sampler};
 }

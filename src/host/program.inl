@@ -17,12 +17,14 @@ public:
 #include "lib/records.glsl"
 
   Program(const PackedScene& scene, const FrameConstants& frame, const EffectSet& effects,
-          RouletteMode roulette, PixelFilter::Shape filter = PixelFilter::Shape::Box)
+          RouletteMode roulette, PixelFilter::Shape filter = PixelFilter::Shape::Box,
+          Sampler sampler = Sampler::Independent)
       :
 #define VKPT_INITIALISE_EFFECT(id, Name, name, what) kEffect##Name(effects),
         VKPT_EFFECTS(VKPT_INITIALISE_EFFECT)
 #undef VKPT_INITIALISE_EFFECT
             kRouletteMode(static_cast<uint>(roulette)),
+        kSampler(static_cast<uint>(sampler)),
         kFilterShape(static_cast<uint>(filter)), m_scene(&scene), m_frame(frame) {
     if (scene.bvh.depth >= kMaxStackDepth)
       throw std::length_error("the BVH is too deep for the traversal's stack");
@@ -33,6 +35,7 @@ public:
   VKPT_EFFECTS(VKPT_DECLARE_EFFECT)
 #undef VKPT_DECLARE_EFFECT
   uint kRouletteMode;
+  uint kSampler;
   uint kFilterShape;
 
   // --- accessors: as in shaders/device_memory.glsl ---
@@ -118,7 +121,6 @@ public:
   Float survival() const { return m_frame.survival; }
   uint lightStrategy() const { return m_frame.lightStrategy; }
   uint lightSamples() const { return m_frame.lightSamples; }
-  uint pointSampler() const { return m_frame.pointSampler; }
   uint splitDepth() const { return m_frame.splitDepth; }
   uint pathKinds() const { return m_frame.pathKinds; }
   uint deadHistories() const { return m_frame.deadHistories; }

@@ -44,6 +44,7 @@ gpu::SpecialisationMap specialise(const Scene& source, const EffectSet& effects,
     constants[static_cast<std::uint32_t>(e.effect)] = effects.has(e.effect) ? 1U : 0U;
   constants[kConstantStackDepth] = stack;
   constants[kConstantRouletteMode] = static_cast<std::uint32_t>(settings.estimator.roulette);
+  constants[kConstantSampler] = static_cast<std::uint32_t>(settings.estimator.sampler);
   constants[kConstantFilterShape] = static_cast<std::uint32_t>(source.filter.shape);
   return constants;
 }
@@ -74,7 +75,7 @@ Integrator::Integrator(const gpu::Context& context, const DeviceScene& scene, co
              specialise(source, effects, settings, scene.stackDepth)),
       m_commit(context, spirv::kCommit, m_bindings,
                {{static_cast<std::uint32_t>(Effect::KindImages), effects.has(Effect::KindImages) ? 1U : 0U},
-                {static_cast<std::uint32_t>(Effect::Sobol), effects.has(Effect::Sobol) ? 1U : 0U}}),
+                {kConstantSampler, static_cast<std::uint32_t>(settings.estimator.sampler)}}),
       m_constantsBuffer(context, "frame constants", sizeof(FrameConstants),
                         vk::BufferUsageFlagBits::eUniformBuffer, gpu::MemoryKind::Host),
       m_countersBuffer(context, "counters", sizeof(Counters), vk::BufferUsageFlagBits::eStorageBuffer,

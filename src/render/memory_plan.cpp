@@ -99,8 +99,6 @@ std::uint64_t effectBytes(Effect effect, const PackedScene& packed, const Effect
     return sizeOf(packed.environment);
   case Effect::Splitting:
     return pathStateBytes(slots, estimator.splitDepth) - pathStateBytes(slots, 0);
-  case Effect::Sobol:
-    return estimator.sampler == Sampler::Sobol ? 3 * pixelsOf(width, height) * sizeof(Texel) : 0;
   case Effect::KindImages:
     return pixelsOf(width, height) * kKindCount * kKindPlanes * sizeof(float);
   default:

@@ -36,6 +36,7 @@ gpu::SpecialisationMap constantsOf(const Kernel& kernel, const OracleScene& s, s
     constants[static_cast<std::uint32_t>(e.effect)] = s.effects.has(e.effect) ? 1U : 0U;
   constants[kConstantStackDepth] = stack;
   constants[kConstantRouletteMode] = static_cast<std::uint32_t>(s.settings.estimator.roulette);
+  constants[kConstantSampler] = static_cast<std::uint32_t>(s.settings.estimator.sampler);
   constants[kConstantFilterShape] = static_cast<std::uint32_t>(s.scene.filter.shape);
   return constants;
 }
