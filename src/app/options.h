@@ -15,8 +15,9 @@ namespace vkpt {
 struct RenderOptions {
   std::vector<fs::path> scenes;
   RenderJob job;
-  bool endless = false;        ///< where no rule stops the run it goes on, in place of the scene's own count
-  EstimatorSettings estimator; ///< where a scene may say otherwise, by estimatorFor()
+  bool endless = false; ///< where no rule stops the run it goes on, in place of the scene's own count
+  EstimatorSettings estimator{.sampler =
+                                  Sampler::Sobol}; ///< where a scene may say otherwise, by estimatorFor()
   std::optional<LightStrategy> light;
   std::optional<std::uint32_t> maxBounces;
   std::optional<std::uint32_t> pathKinds; ///< bit i: PathKind i

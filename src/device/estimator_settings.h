@@ -31,8 +31,8 @@ struct EstimatorSettings {
   std::uint32_t lightSamples = 1;               ///< shadow rays at a surface point, 1 to kMaxLightSamples
   std::uint32_t maxBounces = kUnlimitedBounces; ///< 0: emitted light only, 1: + direct light, ...
   RouletteMode roulette = RouletteMode::Throughput;
-  double termination = 0.5;                   ///< RouletteMode::Constant: the probability to end, [0, 1)
-  std::optional<std::uint32_t> rouletteAfter; ///< first bounce after whose direct light a path may end
+  double termination = 0.5;                     ///< RouletteMode::Constant: the probability to end, [0, 1)
+  std::optional<std::uint32_t> rouletteAfter{}; ///< first bounce after whose direct light a path may end
   /// At smooth dielectrics both branches are followed up to this trace depth; specular surfaces end no path
   /// by roulette up to it. 0 to kMaxSplitDepth.
   std::uint32_t splitDepth = 0;

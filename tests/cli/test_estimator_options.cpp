@@ -103,6 +103,20 @@ TEST(Tail, AnInfiniteVarianceIsSaid) {
   EXPECT_TRUE(calm["error"]["trusted"]);
 }
 
+TEST(Sampler, SobolUnlessSaidOtherwiseAndTellsItsError) {
+  const WorkFolder folder;
+  const auto sobol = statsOf(folder, {"cornell", "--size", "64x64", "--frames", "128", "--paths", "direct"});
+  const auto independent = statsOf(folder, {"cornell", "--size", "64x64", "--frames", "128", "--paths",
+                                            "direct", "--sampler", "independent"});
+  EXPECT_EQ(sobol["sampler"], "sobol");
+  EXPECT_EQ(independent["sampler"], "independent");
+  // Direct light alone has few dimensions.
+  EXPECT_LT(sobol["error"]["relative"].get<double>(), 0.75 * independent["error"]["relative"].get<double>());
+  const double difference = sobol["mean"][1].get<double>() - independent["mean"][1].get<double>();
+  EXPECT_LT(std::abs(difference), 5.0 * std::hypot(sobol["error"]["standardError"][1].get<double>(),
+                                                   independent["error"]["standardError"][1].get<double>()));
+}
+
 TEST(NoriFile, SaysWhatHoldsAndOptionsComeFirst) {
   const WorkFolder folder;
   folder.write("square.obj", "v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nf 1 2 3 4\n");

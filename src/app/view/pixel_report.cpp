@@ -17,8 +17,7 @@ HostSettings hostSettings(const Stage& stage) {
 
 } // namespace
 
-PixelReport reportPixel(const Stage& stage, const ViewSettings& settings,
-                        Vec2i pixel) {
+PixelReport reportPixel(const Stage& stage, const ViewSettings& settings, Vec2i pixel) {
   const PixelMoments film = stage.integrator().pixel(pixel.x, pixel.y);
   PixelReport report{pixel, film.count, film.mean, glm::sqrt(film.varianceOfMean()), {}, 0};
   if (settings.estimates()) {

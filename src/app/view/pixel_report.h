@@ -18,8 +18,7 @@ struct PixelReport {
 };
 
 /// From the film, and for the kinds by the same estimator on the host: the film holds no kinds.
-PixelReport reportPixel(const Stage& stage, const ViewSettings& settings,
-                        Vec2i pixel);
+PixelReport reportPixel(const Stage& stage, const ViewSettings& settings, Vec2i pixel);
 
 /// Where the ray through a pixel's middle region first meets the scene, in world coordinates.
 std::optional<Vec3d> pointAt(const Stage& stage, Vec2i pixel);
