@@ -58,6 +58,15 @@ TEST(Enclosure, SeenFromOutsideItIsOpen) {
     EXPECT_FALSE(isClosed(cell().camera(lookAt(eye, Vec3d(0.0), 60.0)).build()));
 }
 
+/// Where every ray meets something, and a closed box stands in the way of the first.
+TEST(Enclosure, ClosedFurnitureInAnOpenCellClosesNothing) {
+  for (std::size_t i = 0; i < 12; ++i) {
+    Scene scene = cell().box(Vec3d(0.5, 0.2, 0.5), Vec3d(0.6, 0.3, 0.7), Facing::Outward, kWall).build();
+    scene.triangles.erase(scene.triangles.begin() + static_cast<std::ptrdiff_t>(i));
+    EXPECT_FALSE(isClosed(scene)) << "without triangle " << i;
+  }
+}
+
 TEST(Enclosure, OnTheWallItIsNotProven) {
   EXPECT_FALSE(isClosed(cell().camera(lookAt({0.3, 1.0, 0.2}, {0.0, 0.0, -1.0}, 60.0)).build()));
 }
