@@ -10,15 +10,14 @@
 namespace vkpt {
 namespace {
 
-/// Values by plane, each of so many pixels.
-using Planes = std::vector<std::vector<std::uint32_t>>;
-
-double pairAt(const Planes& planes, std::uint32_t plane, std::size_t pixel) {
+double pairAt(const FilmPlanes& planes, std::uint32_t plane, std::size_t pixel) {
   return static_cast<double>(std::bit_cast<float>(planes[plane][pixel])) +
          static_cast<double>(std::bit_cast<float>(planes[plane + 1][pixel]));
 }
 
-PixelMoments momentsAt(const Planes& planes, std::size_t pixel) {
+} // namespace
+
+PixelMoments momentsAt(const FilmPlanes& planes, std::size_t pixel) {
   using namespace shared;
   const std::uint32_t count = planes[kFilmCount][pixel];
   PixelMoments closed;
@@ -35,8 +34,6 @@ PixelMoments momentsAt(const Planes& planes, std::size_t pixel) {
   closed.merge(open);
   return closed;
 }
-
-} // namespace
 
 DeviceFilm::DeviceFilm(const gpu::Context& context, int width, int height) { resize(context, width, height); }
 
@@ -81,25 +78,11 @@ void DeviceFilm::clear(const gpu::Context& context) const {
     plane.fillZero(context, planeBytes());
 }
 
-Film DeviceFilm::download(const gpu::Context& context) const {
-  const auto pixels = static_cast<std::size_t>(m_width) * static_cast<std::size_t>(m_height);
-  Planes planes(shared::kFilmPlanes, std::vector<std::uint32_t>(pixels));
-  for (std::size_t i = 0; i < planes.size(); ++i) {
-    m_planes[i].read(context, std::as_writable_bytes(std::span{planes[i]}));
-  }
-  Film film{m_width, m_height, std::vector<PixelMoments>(pixels)};
-  for (std::size_t i = 0; i < pixels; ++i)
-    film.pixels[i] = momentsAt(planes, i);
-  return film;
-}
-
-PixelMoments DeviceFilm::pixel(const gpu::Context& context, int x, int y) const {
-  const auto index =
-      static_cast<std::uint64_t>(y) * static_cast<std::uint64_t>(m_width) + static_cast<std::uint64_t>(x);
-  Planes planes(shared::kFilmPlanes, std::vector<std::uint32_t>(1));
+FilmPlanes DeviceFilm::download(const gpu::Context& context, std::size_t first, std::size_t count) const {
+  FilmPlanes planes(shared::kFilmPlanes, std::vector<std::uint32_t>(count));
   for (std::size_t i = 0; i < planes.size(); ++i)
-    m_planes[i].read(context, std::as_writable_bytes(std::span{planes[i]}), index * sizeof(std::uint32_t));
-  return momentsAt(planes, 0);
+    m_planes[i].read(context, std::as_writable_bytes(std::span{planes[i]}), first * sizeof(std::uint32_t));
+  return planes;
 }
 
 std::uint64_t DeviceFilm::bytes() const {

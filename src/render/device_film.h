@@ -7,6 +7,11 @@
 
 namespace vkpt {
 
+/// What is read back from device memory: values by plane, each of so many pixels.
+using FilmPlanes = std::vector<std::vector<std::uint32_t>>;
+/// Each pixel's open group joined to its closed ones.
+PixelMoments momentsAt(const FilmPlanes& planes, std::size_t pixel);
+
 /// The film in device memory: planes of 32-bit values, kFilmPlanes of them.
 class DeviceFilm {
 public:
@@ -18,10 +23,8 @@ public:
   void bind(const gpu::Context& context, const gpu::BindingSet& bindings,
             std::uint32_t binding = shared::kBindingFilm) const;
   void clear(const gpu::Context& context) const;
-  /// Reads the planes back and joins each pixel's open group to its closed ones.
-  [[nodiscard]] Film download(const gpu::Context& context) const;
-  /// One pixel of it.
-  [[nodiscard]] PixelMoments pixel(const gpu::Context& context, int x, int y) const;
+  /// Pixels [first, first + count), row by row.
+  [[nodiscard]] FilmPlanes download(const gpu::Context& context, std::size_t first, std::size_t count) const;
   [[nodiscard]] std::uint64_t bytes() const;
 
 private:

@@ -1,24 +1,19 @@
 #include "render/device_replicates.h"
 
-#include "shared/structs.h"
-
-#include <array>
+#include <algorithm>
 
 namespace vkpt {
-namespace {
-
 using namespace shared;
-using Means = std::array<float, kReplicates>; // a texel
 
-/// Of the samples in full groups, which belong to the replicates in turn.
-void addPixel(PixelMoments& moments, const std::array<Means, 3>& means) {
+void addReplicates(PixelMoments& moments, const ReplicateMeans& means, std::size_t pixel) {
+  // Samples of full groups, which belong to the replicates in turn.
   const std::uint64_t groups = moments.count / kSamplesPerGroup;
   const auto groupsOf = [groups](std::uint32_t replicate) {
     return static_cast<double>((groups + kReplicates - 1 - replicate) / kReplicates);
   };
   moments.replicates = static_cast<std::uint32_t>(std::min<std::uint64_t>(groups, kReplicates));
   for (int c = 0; c < 3; ++c) {
-    const Means& m = means[static_cast<std::size_t>(c)];
+    const auto& m = means[static_cast<std::size_t>(c)][pixel];
     double sum = 0.0;
     for (std::uint32_t r = 0; r < moments.replicates; ++r)
       sum += groupsOf(r) * static_cast<double>(m[r]);
@@ -30,8 +25,6 @@ void addPixel(PixelMoments& moments, const std::array<Means, 3>& means) {
     }
   }
 }
-
-} // namespace
 
 DeviceReplicates::DeviceReplicates(const gpu::Context& context, int width, int height, bool wanted)
     : m_wanted(wanted) {
@@ -57,17 +50,17 @@ void DeviceReplicates::clear(const gpu::Context& context) const {
     means.buffer().fillZero(context);
 }
 
-void DeviceReplicates::addTo(const gpu::Context& context, std::size_t first,
-                             std::span<PixelMoments> moments) const {
+ReplicateMeans DeviceReplicates::download(const gpu::Context& context, std::size_t first,
+                                          std::size_t count) const {
+  ReplicateMeans means;
   if (!m_wanted)
-    return;
-  std::array<std::vector<Means>, 3> means;
+    return means;
   for (std::size_t c = 0; c < 3; ++c) {
-    means[c].resize(moments.size());
-    m_means[c].buffer().read(context, std::as_writable_bytes(std::span{means[c]}), first * sizeof(Means));
+    means[c].resize(count);
+    m_means[c].buffer().read(context, std::as_writable_bytes(std::span{means[c]}),
+                             first * sizeof(means[c][0]));
   }
-  for (std::size_t i = 0; i < moments.size(); ++i)
-    addPixel(moments[i], {means[0][i], means[1][i], means[2][i]});
+  return means;
 }
 
 std::uint64_t DeviceReplicates::bytes() const {

@@ -213,18 +213,29 @@ void Integrator::restart(const Scene& source, int width, int height) {
   forget();
 }
 
-Film Integrator::film() const {
-  Film film = m_film.download(m_context);
-  m_replicates.addTo(m_context, 0, film.pixels);
+Film RawFilm::film() const {
+  Film film{width, height, std::vector<PixelMoments>(planes.front().size())};
+  for (std::size_t i = 0; i < film.pixels.size(); ++i) {
+    film.pixels[i] = momentsAt(planes, i);
+    if (!replicates[0].empty())
+      addReplicates(film.pixels[i], replicates, i);
+  }
   return film;
 }
 
+RawFilm Integrator::rawFilm() const {
+  const auto pixels =
+      static_cast<std::size_t>(m_settings.width) * static_cast<std::size_t>(m_settings.height);
+  return {m_settings.width, m_settings.height, m_film.download(m_context, 0, pixels),
+          m_replicates.download(m_context, 0, pixels)};
+}
+
 PixelMoments Integrator::pixel(int x, int y) const {
-  PixelMoments moments = m_film.pixel(m_context, x, y);
   const auto index =
       static_cast<std::size_t>(y) * static_cast<std::size_t>(m_settings.width) + static_cast<std::size_t>(x);
-  m_replicates.addTo(m_context, index, std::span(&moments, 1));
-  return moments;
+  return RawFilm{1, 1, m_film.download(m_context, index, 1), m_replicates.download(m_context, index, 1)}
+      .film()
+      .pixels.front();
 }
 
 std::vector<std::vector<Vec3d>> Integrator::kindImages(const Film& film) const {

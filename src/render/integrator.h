@@ -58,6 +58,15 @@ struct IntegratorSettings {
   gpu::SpecialisationMap extraConstants;
 };
 
+/// The film as it lies in device memory, of which film() makes the host's: that takes longer than reading it.
+struct RawFilm {
+  int width = 0;
+  int height = 0;
+  FilmPlanes planes;
+  ReplicateMeans replicates;
+  [[nodiscard]] Film film() const;
+};
+
 class Integrator {
 public:
   Integrator(const gpu::Context& context, const DeviceScene& scene, const Scene& source,
@@ -77,7 +86,8 @@ public:
   /// Throws UsageError as the constructor does, and leaves all as it was where the camera has no direction.
   void restart(const Scene& source, int width, int height);
 
-  [[nodiscard]] Film film() const;
+  [[nodiscard]] RawFilm rawFilm() const;
+  [[nodiscard]] Film film() const { return rawFilm().film(); }
   /// One pixel of it.
   [[nodiscard]] PixelMoments pixel(int x, int y) const;
   [[nodiscard]] const DeviceFilm& deviceFilm() const { return m_film; }

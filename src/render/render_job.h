@@ -26,6 +26,9 @@ struct RenderJob {
   /// Begin with batches of one frame, and let them grow with the frames that are there: every pixel soon has
   /// a sample, and late ones cost as little as without. No image depends on it.
   bool growingBatch = false;
+  /// Looks at the film while it is rendered on: what they find, a target error met too, is known a little
+  /// later.
+  bool looksAside = false;
 };
 
 } // namespace vkpt

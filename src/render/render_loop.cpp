@@ -4,6 +4,8 @@
 #include "render/dispatch_sizer.h"
 
 #include <algorithm>
+#include <chrono>
+#include <future>
 #include <limits>
 
 namespace vkpt {
@@ -44,6 +46,7 @@ public:
     m_frames = static_cast<double>(m_frame);
     if (m_frame >= m_job.frames.value_or(kNoLimit) && ends(StopReason::Frames))
       return StopReason::Frames;
+    takeLook();
     look();
     return errorReached() && ends(StopReason::Error) ? std::optional(StopReason::Error) : std::nullopt;
   }
@@ -51,6 +54,14 @@ public:
   [[nodiscard]] RenderResult result(StopReason stop) const { return {stop, seconds(), m_frames, m_looks}; }
 
 private:
+  struct Look {
+    Film film;
+    FilmStatistics statistics;
+    double frames = 0.0;
+    double at = 0.0;   // seconds of rendering
+    double took = 0.0; // seconds
+  };
+
   /// Of rendering: what the observer took to let the run go on is left out.
   [[nodiscard]] double seconds() const { return m_clock.seconds() - m_heldSeconds; }
 
@@ -82,17 +93,31 @@ private:
   /// The film is looked at when the number of frames has grown by a half: often enough, and at little cost.
   void look() {
     const bool afford = m_lookSeconds <= kMostOfTimeLooking * seconds();
-    if (m_frame < m_nextLook || !(m_job.targetError || afford))
+    if (m_frame < m_nextLook || m_look.valid() || !(m_job.targetError || afford))
       return;
     m_nextLook = m_frame + std::max<std::uint64_t>(m_frame / 2, 1);
+    const auto policy = m_job.looksAside ? std::launch::async : std::launch::deferred;
     const Stopwatch watch;
-    Film film = m_integrator.film();
-    const FilmStatistics statistics = filmStatistics(film);
-    m_lookSeconds = watch.seconds();
-    m_error = statistics.relativeErrorUpper; // 95 % confident
-    m_looks.push_back({m_frames, statistics.relativeError});
-    m_lookedAt = seconds();
-    m_observer.onLook(std::move(film), statistics);
+    m_look = std::async(policy, [raw = m_integrator.rawFilm(), frames = m_frames, at = seconds(), watch] {
+      Look look{raw.film(), {}, frames, at, 0.0};
+      look.statistics = filmStatistics(look.film);
+      look.took = watch.seconds();
+      return look;
+    });
+    if (!m_job.looksAside)
+      takeLook();
+  }
+
+  /// What the look that is under way has found, if it has ended.
+  void takeLook() {
+    if (!m_look.valid() || m_look.wait_for(std::chrono::seconds(0)) == std::future_status::timeout)
+      return;
+    Look look = m_look.get();
+    m_lookSeconds = look.took;
+    m_error = look.statistics.relativeErrorUpper; // 95 % confident
+    m_looks.push_back({look.frames, look.statistics.relativeError});
+    m_lookedAt = look.at;
+    m_observer.onLook(std::move(look.film), look.statistics);
   }
 
   [[nodiscard]] bool errorReached() const {
@@ -138,6 +163,7 @@ private:
   double m_frames = 0.0;
   std::uint64_t m_nextLook = kFirstLook;
   double m_lookSeconds = 0.0; // that the last look took
+  std::future<Look> m_look;   // under way
   std::optional<double> m_error;
   std::vector<ErrorAtWork> m_looks;
   double m_lookedAt = 0.0; // seconds, the last time

@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <iterator>
@@ -26,6 +28,39 @@ std::vector<std::string> with(std::vector<std::string> arguments, const std::vec
 std::vector<std::string> words(const std::string& line) {
   std::istringstream stream(line);
   return {std::istream_iterator<std::string>(stream), {}};
+}
+
+/// The options that key `c` prints.
+std::string printedCamera(Preview& preview) {
+  const std::size_t before = preview.output().size();
+  preview.press("c");
+  for (int i = 0; i < 100; ++i) {
+    const std::string out = preview.output();
+    const std::size_t at = out.find("--look-at", before);
+    const std::size_t end = at == std::string::npos ? at : out.find('\n', at);
+    if (end != std::string::npos)
+      return out.substr(at, end - at);
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  }
+  ADD_FAILURE() << "no camera was printed";
+  return {};
+}
+
+struct View {
+  std::array<double, 3> eye{};
+  std::array<double, 3> target{};
+};
+View printedView(Preview& preview) {
+  std::string list = words(printedCamera(preview)).at(1);
+  std::ranges::replace(list, ',', ' ');
+  std::istringstream stream(list);
+  View view;
+  for (double& x : view.eye)
+    stream >> x;
+  for (double& x : view.target)
+    stream >> x;
+  EXPECT_TRUE(stream) << list;
+  return view;
 }
 
 class PreviewTest : public testing::Test {
@@ -105,17 +140,7 @@ TEST_F(PreviewTest, OrbitsAndPrintsTheCamera) {
   const auto fine = preview.await("rests");
   EXPECT_EQ(fine["frames"], 16);
   EXPECT_EQ(preview.events("begun").back()["coarseness"], 1);
-  preview.press("c");
-  preview.await("key");
-  std::string camera;
-  for (int i = 0; i < 100 && camera.empty(); ++i) {
-    const std::string out = preview.output();
-    const std::size_t at = out.find("--look-at");
-    if (at != std::string::npos)
-      camera = out.substr(at, out.find('\n', at) - at);
-    std::this_thread::sleep_for(std::chrono::milliseconds(50));
-  }
-  headless("orbited", with(with(kScene, {"--frames", "16"}), words(camera)));
+  headless("orbited", with(with(kScene, {"--frames", "16"}), words(printedCamera(preview))));
   EXPECT_NE(readPng(m_folder / "orbited.png").pixels, readPng(m_folder / "before.png").pixels);
   expectShown(preview, "orbited.png");
   expectSilent(preview.quit());
@@ -200,6 +225,39 @@ TEST_F(PreviewTest, BaseColourAndNormalsOfAKnownSquare) {
   EXPECT_NEAR(pixel["mean"][1].get<double>(), 0.25, 1e-4);
   for (std::size_t k = 0; k < 6; ++k)
     EXPECT_NEAR(pixel["kinds"][k][0].get<double>(), k == 1 ? 0.5 : 0.0, 1e-4) << "kind " << k;
+  expectSilent(preview.quit());
+}
+
+/// From far away: F goes to where the whole box is seen, flight goes straight ahead, Home is where it began.
+TEST_F(PreviewTest, FramesFliesAndGoesHome) {
+  Preview preview(screen(), m_folder,
+                  with(kScene, {"--frames", "4", "--look-at", "40,3,90,40,3,0", "--fov", "40"}));
+  preview.await("rests");
+  preview.press("h");
+  preview.press("f");
+  preview.await("rests");
+  const View framed = printedView(preview);
+  EXPECT_LT(framed.eye[2], 60.0) << "nearer";
+  EXPECT_LT(std::abs(framed.target[0]), 10.0) << "the box, whose middle is at 0";
+  screen().user("mousemove 120 90 mousedown 3 keydown w sleep 0.5 keyup w mouseup 3");
+  preview.await("rests");
+  const View flown = printedView(preview);
+  double along = 0.0, across = 0.0, ahead = 0.0;
+  for (std::size_t i = 0; i < 3; ++i)
+    ahead += (framed.target[i] - framed.eye[i]) * (framed.target[i] - framed.eye[i]);
+  for (std::size_t i = 0; i < 3; ++i)
+    along += (flown.eye[i] - framed.eye[i]) * (framed.target[i] - framed.eye[i]) / std::sqrt(ahead);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double step = flown.eye[i] - framed.eye[i];
+    across += std::pow(step - along * (framed.target[i] - framed.eye[i]) / std::sqrt(ahead), 2.0);
+  }
+  EXPECT_GT(along, 0.1);
+  EXPECT_LT(std::sqrt(across), 1e-3 * along);
+  preview.press("Home");
+  preview.await("rests");
+  const View home = printedView(preview);
+  EXPECT_NEAR(home.eye[0], 40.0, 1e-9);
+  EXPECT_NEAR(home.eye[2], 90.0, 1e-9);
   expectSilent(preview.quit());
 }
 

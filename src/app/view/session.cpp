@@ -13,7 +13,7 @@
 namespace vkpt {
 namespace {
 
-constexpr double kUnit = 0.014;           // s of a unit of work: the user is heard after each
+constexpr double kUnit = 0.020;           // s of a unit of work: the user is heard after each
 constexpr double kLively = 1.0 / 40.0;    // s between pictures while the user does something
 constexpr double kCalm = 1.0 / 8.0;       // and while he watches
 constexpr double kMostOfTime = 0.1;       // for pictures, while he watches
@@ -105,6 +105,7 @@ void Session::begin() {
   m_job.tileBlocks = m_options.render.job.tileBlocks;
   m_job.unitSeconds = kUnit;
   m_job.growingBatch = true;
+  m_job.looksAside = true;
   m_moved = false;
   m_shown = false;
   m_log.write(
