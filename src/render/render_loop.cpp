@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::uint64_t kNoLimit = std::numeric_limits<std::uint64_t>::max();
 constexpr std::uint64_t kFirstLook = 16;    // frames; a variance of fewer samples says little
-constexpr std::uint64_t kLeastGrowth = 4;   // a growing batch adds at most a quarter of the frames
+constexpr std::uint64_t kLeastGrowth = 2;   // a growing batch adds at most half of the frames
 constexpr double kMostOfTimeLooking = 0.01; // where no rule needs the looks
 
 /// One run's state: what has been done, and what the rules say of it.

@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kUnit = 0.020;           // s of a unit of work: the user is heard after each
 constexpr double kLively = 1.0 / 40.0;    // s between pictures while the user does something
-constexpr double kCalm = 1.0 / 8.0;       // and while he watches
+constexpr double kCalm = 1.0 / 4.0;       // and while he watches
 constexpr double kMostOfTime = 0.1;       // for pictures, while he watches
 constexpr double kCalmAfter = 1.0;        // s without input
 constexpr double kStillAfter = 0.2;       // s without motion, then the film is as fine as the window
