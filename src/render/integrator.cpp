@@ -154,7 +154,8 @@ void Integrator::keepFaults(const Counters& c, const Dispatch& job) {
   }
 }
 
-std::uint64_t Integrator::renderTile(const Tile& tile, std::uint64_t firstSample, std::uint32_t count) {
+std::uint64_t Integrator::renderTile(const Tile& tile, std::uint64_t firstSample, std::uint32_t count,
+                                     const std::function<void()>& between) {
   assert(firstSample % kSamplesPerGroup + count <= kSamplesPerGroup);
   Dispatch job{};
   job.firstBlock = tile.firstBlock;
@@ -172,6 +173,8 @@ std::uint64_t Integrator::renderTile(const Tile& tile, std::uint64_t firstSample
     job.fresh = 0;
     job.packs = job.listed > kLeastWorthPacking ? 1 : 0;
     job.listTurn ^= 1U;
+    if (between)
+      between();
   }
   if (count > 0)
     dispatch(m_commit, job);

@@ -9,6 +9,8 @@
 #include "render/device_replicates.h"
 #include "shared/structs.h"
 
+#include <functional>
+
 namespace vkpt {
 
 /// Sums over a run of what the dispatches report; see interface.md for the JSON names.
@@ -76,7 +78,9 @@ public:
   [[nodiscard]] std::uint32_t blockCount() const;
   /// Traces samples [firstSample, firstSample + count) of every pixel of the tile and commits them to the
   /// film. They lie within one group of kSamplesPerGroup. Returns the samples taken.
-  std::uint64_t renderTile(const Tile& tile, std::uint64_t firstSample, std::uint32_t count);
+  /// `between` is called between its dispatches, of which long paths need many.
+  std::uint64_t renderTile(const Tile& tile, std::uint64_t firstSample, std::uint32_t count,
+                           const std::function<void()>& between = {});
   /// Makes the driver compile what it compiles at the first use.
   void warmUp();
   void clear();

@@ -32,7 +32,8 @@ public:
     for (std::uint32_t first = 0; first < blocks;) {
       const Tile tile{first, std::min(tileBlocks(batch), blocks - first)};
       Stopwatch watch;
-      const std::uint64_t samples = m_integrator.renderTile(tile, m_frame, batch);
+      const std::uint64_t samples =
+          m_integrator.renderTile(tile, m_frame, batch, [this] { m_observer.onDispatch(); });
       m_sizer.measured(samples, watch.seconds());
       first += tile.blockCount;
       m_frames = static_cast<double>(m_frame) + static_cast<double>(batch) * first / blocks;

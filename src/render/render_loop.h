@@ -22,6 +22,8 @@ class RenderObserver {
 public:
   virtual ~RenderObserver() = default;
   virtual void onProgress(const RenderProgress&) {}
+  /// A unit of work is under way, between two dispatches; the film is as it was before the unit.
+  virtual void onDispatch() {}
   /// The film was read back, which is done now and then.
   virtual void onLook(Film&&, const FilmStatistics&) {}
   /// True ends the run after the unit of work that is under way.

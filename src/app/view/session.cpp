@@ -14,6 +14,7 @@ namespace vkpt {
 namespace {
 
 constexpr double kUnit = 0.020;           // s of a unit of work: the user is heard after each
+constexpr double kUnheard = 0.012;        // s, then between the dispatches of a unit, too
 constexpr double kLively = 1.0 / 40.0;    // s between pictures while the user does something
 constexpr double kCalm = 1.0 / 4.0;       // and while he watches
 constexpr double kMostOfTime = 0.1;       // for pictures, while he watches
@@ -124,6 +125,11 @@ void Session::onProgress(const RenderProgress& progress) {
     m_log.write("frames", {{"frames", progress.frames}, {"seconds", progress.seconds}});
   m_stale = true;
   tick(0.0);
+}
+
+void Session::onDispatch() {
+  if (m_sinceHeard.seconds() > kUnheard)
+    tick(0.0);
 }
 
 void Session::onLook(Film&& film, const FilmStatistics& statistics) {

@@ -28,6 +28,7 @@ public:
 private:
   // Of the render loop.
   void onProgress(const RenderProgress& progress) override;
+  void onDispatch() override;
   void onLook(Film&& film, const FilmStatistics& statistics) override;
   bool stopRequested() override;
   bool goesOn(StopReason reason) override;
