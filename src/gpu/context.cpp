@@ -181,7 +181,9 @@ Context::Context(const ContextOptions& options) try
   const float priority = 1.0F;
   const vk::DeviceQueueCreateInfo queue({}, m_queueFamily, 1, &priority);
   const auto extensions = deviceExtensions(m_physical, options.presentation.has_value());
-  m_device = vk::raii::Device(m_physical, vk::DeviceCreateInfo({}, queue, {}, extensions));
+  vk::PhysicalDeviceFeatures features;
+  features.robustBufferAccess = options.robustBufferAccess && m_physical.getFeatures().robustBufferAccess;
+  m_device = vk::raii::Device(m_physical, vk::DeviceCreateInfo({}, queue, {}, extensions, &features));
   m_queue = vk::raii::Queue(m_device, m_queueFamily, 0);
   m_pool =
       vk::raii::CommandPool(m_device, {vk::CommandPoolCreateFlagBits::eResetCommandBuffer, m_queueFamily});

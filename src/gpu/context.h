@@ -32,6 +32,8 @@ struct ContextOptions {
   bool validation = false;               ///< turn the Khronos validation layer on; an error if it is missing
   std::filesystem::path pipelineCache{}; ///< folder of compiled pipelines; empty: none are kept
   std::optional<Presentation> presentation{}; ///< empty: no window
+  /// Accesses beyond a buffer are defined, where the device can do that: no result depends on it.
+  bool robustBufferAccess = false;
 };
 
 /// The devices that Vulkan shows, in its order, and which one `options.device` would choose.

@@ -99,6 +99,16 @@ TEST_F(Identity, ThreadsChangeNothing) {
   EXPECT_TRUE(identical(films[0], films[2]));
 }
 
+/// Nothing is read or written beyond a buffer.
+TEST_F(Identity, RobustBufferAccessChangesNothing) {
+  gpu::ContextOptions robust{"", true};
+  robust.robustBufferAccess = true;
+  const gpu::Context context(robust);
+  const Film film = renderScene(context, spheres(), spheresSetup()).film;
+  EXPECT_EQ(context.validationMessages(), 0U);
+  EXPECT_TRUE(identical(film, render(spheres(), spheresSetup()).film));
+}
+
 TEST_F(Identity, RunsInPiecesChangeNothing) {
   RenderSetup setup = spheresSetup();
   const Scene scene = spheres();
