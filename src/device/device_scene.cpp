@@ -1,5 +1,7 @@
 #include "device/device_scene.h"
 
+#include "shared/structs.h"
+
 namespace vkpt {
 
 DeviceScene uploadScene(const gpu::Context& context, const PackedScene& packed) {
@@ -15,6 +17,29 @@ DeviceScene uploadScene(const gpu::Context& context, const PackedScene& packed) 
   scene.lightChoice = packed.lightChoice;
   scene.stackDepth = packed.bvh.depth + 1U;
   return scene;
+}
+
+void bindScene(const gpu::Context& context, const gpu::BindingSet& bindings, const DeviceScene& scene) {
+  bindings.bind(context, shared::kBindingNodes, scene.nodes);
+  bindings.bind(context, shared::kBindingTriangles, scene.triangles);
+  bindings.bind(context, shared::kBindingNormals, scene.normals);
+  bindings.bind(context, shared::kBindingMaterials, scene.materials);
+  bindings.bind(context, shared::kBindingLights, scene.lights);
+  bindings.bind(context, shared::kBindingUvs, scene.uvs);
+  bindings.bind(context, shared::kBindingTextures, scene.textures);
+  bindings.bind(context, shared::kBindingEnvironment, scene.environment);
+}
+
+gpu::SpecialisationMap kernelConstants(const DeviceScene& scene, const Scene& source,
+                                       const EffectSet& effects, const EstimatorSettings& estimator) {
+  gpu::SpecialisationMap constants;
+  for (const EffectInfo& e : allEffects())
+    constants[static_cast<std::uint32_t>(e.effect)] = effects.has(e.effect) ? 1U : 0U;
+  constants[shared::kConstantStackDepth] = scene.stackDepth;
+  constants[shared::kConstantRouletteMode] = static_cast<std::uint32_t>(estimator.roulette);
+  constants[shared::kConstantSampler] = static_cast<std::uint32_t>(estimator.sampler);
+  constants[shared::kConstantFilterShape] = static_cast<std::uint32_t>(source.filter.shape);
+  return constants;
 }
 
 std::uint64_t DeviceScene::bytes() const {

@@ -1,8 +1,9 @@
 #pragma once
 // A packed scene on the device.
 
+#include "device/effects.h"
 #include "device/packed_scene.h"
-#include "gpu/buffer.h"
+#include "gpu/compute_pipeline.h"
 
 namespace vkpt {
 
@@ -20,5 +21,12 @@ struct DeviceScene {
   [[nodiscard]] std::uint64_t bytes() const;
 };
 DeviceScene uploadScene(const gpu::Context& context, const PackedScene& packed);
+
+/// Binds its texel buffers where shaders/device_memory.glsl has them.
+void bindScene(const gpu::Context& context, const gpu::BindingSet& bindings, const DeviceScene& scene);
+
+/// What a kernel that traces paths is specialised by.
+gpu::SpecialisationMap kernelConstants(const DeviceScene& scene, const Scene& source,
+                                       const EffectSet& effects, const EstimatorSettings& estimator);
 
 } // namespace vkpt

@@ -37,15 +37,11 @@ static_assert(kLayout.size() == kBindingCount);
 /// Slots left below which another dispatch costs more than idle lanes do.
 constexpr std::uint32_t kLeastWorthPacking = 256;
 
-gpu::SpecialisationMap specialise(const Scene& source, const EffectSet& effects,
-                                  const IntegratorSettings& settings, std::uint32_t stack) {
-  gpu::SpecialisationMap constants = settings.extraConstants;
-  for (const auto& e : allEffects())
-    constants[static_cast<std::uint32_t>(e.effect)] = effects.has(e.effect) ? 1U : 0U;
-  constants[kConstantStackDepth] = stack;
-  constants[kConstantRouletteMode] = static_cast<std::uint32_t>(settings.estimator.roulette);
-  constants[kConstantSampler] = static_cast<std::uint32_t>(settings.estimator.sampler);
-  constants[kConstantFilterShape] = static_cast<std::uint32_t>(source.filter.shape);
+gpu::SpecialisationMap specialise(const DeviceScene& scene, const Scene& source, const EffectSet& effects,
+                                  const IntegratorSettings& settings) {
+  gpu::SpecialisationMap constants = kernelConstants(scene, source, effects, settings.estimator);
+  for (const auto& [id, value] : settings.extraConstants)
+    constants[id] = value;
   return constants;
 }
 
@@ -72,7 +68,7 @@ Integrator::Integrator(const gpu::Context& context, const DeviceScene& scene, co
                                  settings.height, settings.seed)),
       m_bindings(context, kLayout, sizeof(Dispatch)),
       m_path(context, settings.pathShader.empty() ? spirv::kPath : settings.pathShader, m_bindings,
-             specialise(source, effects, settings, scene.stackDepth)),
+             specialise(scene, source, effects, settings)),
       m_commit(context, spirv::kCommit, m_bindings,
                {{static_cast<std::uint32_t>(Effect::KindImages), effects.has(Effect::KindImages) ? 1U : 0U},
                 {kConstantSampler, static_cast<std::uint32_t>(settings.estimator.sampler)}}),
@@ -85,15 +81,8 @@ Integrator::Integrator(const gpu::Context& context, const DeviceScene& scene, co
       m_replicates(context, settings.width, settings.height, settings.estimator.sampler == Sampler::Sobol) {
   m_constantsBuffer.write(context, std::as_bytes(std::span{&m_constants, 1}));
   m_bindings.bind(context, kBindingFrame, m_constantsBuffer, DescriptorType::eUniformBuffer);
-  m_bindings.bind(context, kBindingNodes, scene.nodes);
-  m_bindings.bind(context, kBindingTriangles, scene.triangles);
-  m_bindings.bind(context, kBindingNormals, scene.normals);
-  m_bindings.bind(context, kBindingMaterials, scene.materials);
-  m_bindings.bind(context, kBindingLights, scene.lights);
+  bindScene(context, m_bindings, scene);
   m_bindings.bind(context, kBindingCounters, m_countersBuffer, DescriptorType::eStorageBuffer);
-  m_bindings.bind(context, kBindingUvs, scene.uvs);
-  m_bindings.bind(context, kBindingTextures, scene.textures);
-  m_bindings.bind(context, kBindingEnvironment, scene.environment);
   m_film.bind(context, m_bindings);
   m_kinds.bind(context, m_bindings);
   m_replicates.bind(context, m_bindings);

@@ -30,26 +30,10 @@ constexpr auto kLayout = std::to_array<gpu::BindingLayout>({
     {kBindingRecords, DescriptorType::eStorageBuffer},
 });
 
-gpu::SpecialisationMap constantsOf(const Kernel& kernel, const OracleScene& s, std::uint32_t stack) {
-  gpu::SpecialisationMap constants = kernel.constants();
-  for (const EffectInfo& e : allEffects())
-    constants[static_cast<std::uint32_t>(e.effect)] = s.effects.has(e.effect) ? 1U : 0U;
-  constants[kConstantStackDepth] = stack;
-  constants[kConstantRouletteMode] = static_cast<std::uint32_t>(s.settings.estimator.roulette);
-  constants[kConstantSampler] = static_cast<std::uint32_t>(s.settings.estimator.sampler);
-  constants[kConstantFilterShape] = static_cast<std::uint32_t>(s.scene.filter.shape);
+gpu::SpecialisationMap constantsOf(const Kernel& kernel, const OracleScene& s, const DeviceScene& scene) {
+  gpu::SpecialisationMap constants = kernelConstants(scene, s.scene, s.effects, s.settings.estimator);
+  constants.merge(kernel.constants());
   return constants;
-}
-
-void bindScene(const gpu::Context& context, const gpu::BindingSet& bindings, const DeviceScene& scene) {
-  bindings.bind(context, kBindingNodes, scene.nodes);
-  bindings.bind(context, kBindingTriangles, scene.triangles);
-  bindings.bind(context, kBindingNormals, scene.normals);
-  bindings.bind(context, kBindingMaterials, scene.materials);
-  bindings.bind(context, kBindingLights, scene.lights);
-  bindings.bind(context, kBindingUvs, scene.uvs);
-  bindings.bind(context, kBindingTextures, scene.textures);
-  bindings.bind(context, kBindingEnvironment, scene.environment);
 }
 
 } // namespace
@@ -65,7 +49,7 @@ std::vector<PathRecord> recordPaths(const Trial& t, const OracleScene& s, std::u
   const DeviceScene scene = uploadScene(context, s.packed);
   const gpu::BindingSet bindings(context, kLayout, sizeof(Dispatch));
   const gpu::ComputePipeline pipeline(context, t.kernel().of(spirv::kPathRecords), bindings,
-                                      constantsOf(t.kernel(), s, scene.stackDepth));
+                                      constantsOf(t.kernel(), s, scene));
   const FrameConstants frame = frameConstants(s.scene, s.packed.lightChoice, s.settings.estimator,
                                               s.settings.width, s.settings.height, s.settings.seed);
   std::vector<PathRecord> records(static_cast<std::size_t>(s.settings.width) *
