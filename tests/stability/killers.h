@@ -10,7 +10,7 @@ namespace vkpt::test {
 enum class Naive : std::uint32_t {
 #define VKPT_ENUMERATOR(id, Name, what) Name = id,
   VKPT_MUTATIONS_LIST(VKPT_ENUMERATOR) VKPT_SAMPLING_MUTATIONS_LIST(VKPT_ENUMERATOR)
-      VKPT_STABILITY_MUTATIONS_LIST(VKPT_ENUMERATOR)
+      VKPT_STABILITY_MUTATIONS_LIST(VKPT_ENUMERATOR) VKPT_GEOMETRY_MUTATIONS_LIST(VKPT_ENUMERATOR)
 #undef VKPT_ENUMERATOR
 };
 
@@ -23,6 +23,14 @@ struct Killer {
   { which, static_cast<std::uint32_t>(Naive::Name), #Name }
 
 inline constexpr Killer kQuickKillers[] = {
+    VKPT_KILLER("w2-rays-at-vertices-and-edges", LeakyTriangle),
+    VKPT_KILLER("w2-rays-at-vertices-and-edges", BoxesMissedAside),
+    VKPT_KILLER("w2-rays-at-vertices-and-edges", InfiniteInverse),
+    VKPT_KILLER("o1-same-at-every-scale-and-place", AbsoluteOffset),
+    VKPT_KILLER("o4-camera-in-a-corner", NaiveGeometry),
+    VKPT_KILLER("o4-camera-in-a-corner", FrisvadFrame),
+    VKPT_KILLER("o4-camera-in-a-corner", HitsUpToTheEdge),
+    VKPT_KILLER("w9-faces-in-one-plane", TiesAtRandom),
     VKPT_KILLER("d1-critical-angle", RefractionUnclamped),
     VKPT_KILLER("d2-fresnel-ends", EqualIndicesUnguarded),
     VKPT_KILLER("d2-fresnel-ends", RefractionCancels),
