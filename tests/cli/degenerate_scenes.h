@@ -49,6 +49,16 @@ inline void expectSliversAreSeen(int count) {
   EXPECT_FLOAT_EQ(centreOf(folder), 0.8F);
 }
 
+/// Rays that pass their common point would meet more of them than a traversal may look at.
+inline void expectSliversAreGivenUp(int count) {
+  const WorkFolder folder;
+  const CommandResult r = renderObj(folder, sliverFan(count));
+  EXPECT_EQ(r.exitCode, 5) << r.err;
+  const auto stats = folder.json("s.json");
+  EXPECT_GT(stats["faults"]["cutTraversal"], 0);
+  EXPECT_EQ(stats["faults"]["nonFinite"], 0);
+}
+
 /// More in one place than a traversal may look at: it ends, and says what it gave up.
 inline void expectPileIsGivenUp(int count) {
   const WorkFolder folder;

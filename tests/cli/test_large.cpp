@@ -9,7 +9,7 @@ constexpr int kMillion = 1000000;
 
 TEST(Large, AMillionTrianglesAtOnePointAreDropped) { expectPointsAreDropped(kMillion); }
 TEST(Large, AMillionDuplicatesAreDropped) { expectTwinsAreDropped(kMillion); }
-TEST(Large, AMillionSliversAreSeen) { expectSliversAreSeen(kMillion); }
+TEST(Large, AMillionSliversAreGivenUpAndSaid) { expectSliversAreGivenUp(kMillion); }
 TEST(Large, AMillionConcentricTrianglesAreGivenUpAndSaid) { expectPileIsGivenUp(kMillion); }
 
 TEST(Large, TenMillionTrianglesAreRendered) {
@@ -18,7 +18,7 @@ TEST(Large, TenMillionTrianglesAreRendered) {
   const CommandResult r = renderObj(folder, waves(kSquaresAnEdge));
   EXPECT_EQ(r.exitCode, 0) << r.err;
   EXPECT_GT(folder.json("s.json")["deviceBytes"], 10'000'000 * 48); // three texels each
-  EXPECT_GT(centreOf(folder), 0.4F);
+  EXPECT_GT(folder.json("s.json")["mean"][1], 0.4);                 // 0.8 where no wave hides the sky
   tell("wall time", r.seconds, "s");
   tell("resident memory at most", r.peakBytes / 1048576.0, "MiB");
 }
