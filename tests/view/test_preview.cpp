@@ -134,12 +134,20 @@ TEST_F(PreviewTest, OrbitsAndPrintsTheCamera) {
   preview.await("rests");
   preview.press("h");
   expectShown(preview, "before.png"); // without the panel, which takes the mouse where it lies
+  const View before = printedView(preview);
   screen().user("mousemove 120 90 mousedown 1 mousemove 140 96 mousemove 170 100 mouseup 1");
   const auto coarse = preview.await("begun");
   EXPECT_GT(coarse["coarseness"], 1) << "while the camera moves";
   const auto fine = preview.await("rests");
   EXPECT_EQ(fine["frames"], 16);
   EXPECT_EQ(preview.events("begun").back()["coarseness"], 1);
+  const View after = printedView(preview);
+  double moved = 0.0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_NEAR(after.target[i], before.target[i], 1e-4) << "the centre stays";
+    moved += std::abs(after.eye[i] - before.eye[i]);
+  }
+  EXPECT_GT(moved, 1.0);
   headless("orbited", with(with(kScene, {"--frames", "16"}), words(printedCamera(preview))));
   EXPECT_NE(readPng(m_folder / "orbited.png").pixels, readPng(m_folder / "before.png").pixels);
   expectShown(preview, "orbited.png");
