@@ -116,7 +116,7 @@ void checkGnuplot() {
 void drawPlots(const fs::path& folder, const std::vector<SettingSummary>& summaries) {
   const std::string script = "set encoding utf8\nset logscale xy\nset grid\nset format y '%g'\n"
                              "set format x '%g'\nset ylabel 'relative error / %'\n"
-                             "set key below left vertical maxcols 1\n" +
+                             "set key below left vertical maxcols 1 height 2\n" +
                              dataBlocks(summaries) + figure(summaries, true) + figure(summaries, false);
   film::writeTextFile(folder / kScript, script);
   if (runGnuplot(folder, kScript) != 0)
