@@ -6,8 +6,8 @@
 VKPT_EFFECTS(VKPT_DECLARE_EFFECT)
 layout(constant_id = 64) const uint kStackDepth = kMaxStackDepth; // kConstantStackDepth
 layout(constant_id = 65) const uint kRouletteMode = 1u; // kConstantRouletteMode
-layout(constant_id = 68) const uint kSampler = kSamplerIndependent; // kConstantSampler
 layout(constant_id = 66) const uint kFilterShape = 0u; // kConstantFilterShape
+layout(constant_id = 68) const uint kSampler = kSamplerIndependent; // kConstantSampler
 
 layout(set = 0, binding = kBindingFrame, std140) uniform FrameBlock { FrameConstants frame; };
 

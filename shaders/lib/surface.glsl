@@ -1,9 +1,10 @@
 // What a ray meets.
 
-// Where a triangle is hit, but not so close to an edge that rounding may put the point behind the neighbour there: from
-// there a ray would leave the scene.
 // 32 roundings of a float, in every program: they are to trace the same paths.
 CONSTANT Float kInward = 3.814697265625e-6;
+
+// Where a triangle is hit, but not so close to an edge that rounding may put the point behind the neighbour there: from
+// there a ray would leave the scene.
 Vec3 pointWithin(TriangleRecord tri, Hit hit) {
   Float inward = MUTATE(HitsUpToTheEdge, kInward, 0.0);
   Float b1 = hit.b1 + (1.0 / 3.0 - hit.b1) * inward;

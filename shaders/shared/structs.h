@@ -47,10 +47,9 @@ VKPT_CONSTANT uint kPixelsPerTexel = 2u; // of a texture: RGB in half floats
 // --- specialisation constants beside the effects (ids 0..63) ---
 VKPT_CONSTANT uint kConstantStackDepth = 64u;
 VKPT_CONSTANT uint kConstantRouletteMode = 65u;
-
 VKPT_CONSTANT uint kConstantFilterShape = 66u;
-VKPT_CONSTANT uint kConstantSampler = 68u;
 VKPT_CONSTANT uint kConstantPrimaryView = 67u; // of path.comp built with VKPT_PRIMARY
+VKPT_CONSTANT uint kConstantSampler = 68u;
 
 VKPT_CONSTANT uint kPrimaryBaseColour = 0u;
 VKPT_CONSTANT uint kPrimaryNormals = 1u;

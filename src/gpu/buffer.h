@@ -55,4 +55,13 @@ private:
   vk::raii::BufferView m_view = nullptr;
 };
 
+/// Of several buffers together.
+template<class Buffers>
+[[nodiscard]] vk::DeviceSize bytesOf(const Buffers& buffers) {
+  vk::DeviceSize sum = 0;
+  for (const auto& buffer : buffers)
+    sum += buffer.bytes();
+  return sum;
+}
+
 } // namespace vkpt::gpu

@@ -85,11 +85,6 @@ FilmPlanes DeviceFilm::download(const gpu::Context& context, std::size_t first, 
   return planes;
 }
 
-std::uint64_t DeviceFilm::bytes() const {
-  std::uint64_t sum = 0;
-  for (const auto& plane : m_planes)
-    sum += plane.bytes();
-  return sum;
-}
+std::uint64_t DeviceFilm::bytes() const { return gpu::bytesOf(m_planes); }
 
 } // namespace vkpt

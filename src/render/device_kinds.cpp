@@ -62,11 +62,6 @@ std::vector<std::vector<Vec3d>> DeviceKinds::download(const gpu::Context& contex
   return kinds;
 }
 
-std::uint64_t DeviceKinds::bytes() const {
-  std::uint64_t sum = 0;
-  for (const auto& image : m_images)
-    sum += image.bytes();
-  return sum;
-}
+std::uint64_t DeviceKinds::bytes() const { return gpu::bytesOf(m_images); }
 
 } // namespace vkpt

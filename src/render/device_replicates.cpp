@@ -63,11 +63,6 @@ ReplicateMeans DeviceReplicates::download(const gpu::Context& context, std::size
   return means;
 }
 
-std::uint64_t DeviceReplicates::bytes() const {
-  std::uint64_t sum = 0;
-  for (const auto& means : m_means)
-    sum += means.bytes();
-  return sum;
-}
+std::uint64_t DeviceReplicates::bytes() const { return gpu::bytesOf(m_means); }
 
 } // namespace vkpt
