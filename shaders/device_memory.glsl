@@ -8,6 +8,7 @@ layout(constant_id = 64) const uint kStackDepth = kMaxStackDepth; // kConstantSt
 layout(constant_id = 65) const uint kRouletteMode = 1u; // kConstantRouletteMode
 layout(constant_id = 66) const uint kFilterShape = 0u; // kConstantFilterShape
 layout(constant_id = 68) const uint kSampler = kSamplerIndependent; // kConstantSampler
+layout(constant_id = 69) const bool kFromLight = false; // kConstantFromLight
 
 layout(set = 0, binding = kBindingFrame, std140) uniform FrameBlock { FrameConstants frame; };
 
@@ -112,6 +113,7 @@ uint rouletteAfter() { return frame.rouletteAfter; }
 float survival() { return frame.survival; }
 uint lightStrategy() { return frame.lightStrategy; }
 uint lightSamples() { return frame.lightSamples; }
+uint specularSamples() { return frame.specularSamples; }
 uint splitDepth() { return frame.splitDepth; }
 uint pathKinds() { return frame.pathKinds; }
 uint deadHistories() { return frame.deadHistories; }
@@ -121,6 +123,15 @@ float environmentProbability() { return frame.environmentProbability; }
 vec4 filterShape() { return frame.filterShape; }
 float filterEdge(uint i) { return frame.filterEdges[i >> 2u][i & 3u]; }
 vec3 background() { return frame.background.xyz; }
+bool tracesLights() { return frame.tracesLights != 0u; }
+vec3 specularLower(uint i) { return frame.specularLower[i].xyz; }
+vec3 specularUpper(uint i) { return frame.specularUpper[i].xyz; }
+float splatUnits() { return frame.splatUnits; }
+float splatSquareUnits() { return frame.splatSquareUnits; }
+uint imageWidth() { return frame.width; }
+uint imageHeight() { return frame.height; }
+vec3 cameraForward() { return frame.forward.xyz; }
+float cameraImageArea() { return frame.forward.w; }
 vec3 cameraEye() { return frame.eye.xyz; }
 vec3 cameraUpperLeft() { return frame.upperLeft.xyz; }
 vec3 cameraRight() { return frame.right.xyz; }
@@ -134,6 +145,7 @@ layout(set = 0, binding = kBindingSlots, std430) buffer SlotBlock { uint slotLis
 layout(set = 0, binding = kBindingFilm, std430) buffer FilmBlock { uint values[]; }
 film[kFilmPlanes];
 layout(set = 0, binding = kBindingReplicates, rgba32ui) uniform restrict uimageBuffer replicateTexels[3];
+layout(set = 0, binding = kBindingSplats, r32ui) uniform restrict uimageBuffer splatTexels;
 layout(set = 0, binding = kBindingKinds, std430) buffer KindBlock { float values[]; }
 kinds[kKindCount];
 
@@ -167,6 +179,12 @@ Branch loadBranch(uint i) {
   b.beta = uintBitsToFloat(beta.xyz);
   b.bounce = beta.w;
   return b;
+}
+
+void addToSplat(uint number, WideCount n) {
+  uint before = imageAtomicAdd(splatTexels, int(number), n.low);
+  uint high = n.high + MUTATE(SplatCarryLost, before + n.low < before ? 1u : 0u, 0u);
+  if (high != 0u) imageAtomicAdd(splatTexels, int(number + 1u), high);
 }
 
 // Plane p of a kind's image.

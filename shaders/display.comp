@@ -10,6 +10,7 @@ layout(local_size_x = 64) in;
 
 layout(set = 0, binding = kDisplayFilm, std430) readonly buffer FilmBlock { uint values[]; } film[kFilmPlanes];
 layout(set = 0, binding = kDisplayPixels, std430) buffer PixelBlock { uint pixels[]; };
+layout(set = 0, binding = kDisplaySplats, r32ui) uniform readonly uimageBuffer splatTexels;
 layout(push_constant) uniform JobBlock { DisplayJob job; };
 
 float filmFloat(uint plane, uint pixel) { return uintBitsToFloat(film[plane].values[pixel]); }
@@ -26,6 +27,11 @@ float joined(float meanA, float meanB, float a, float b, float nA, float nB) {
   return a + b + delta * delta * nA * nB / (nA + nB);
 }
 
+// A sum of splats.
+float splatSum(uint number) {
+  return float(imageLoad(splatTexels, int(number)).x) + 4294967296.0 * float(imageLoad(splatTexels, int(number + 1u)).x);
+}
+
 void main() {
   uint at = gl_GlobalInvocationID.x;
   if (at >= job.width * job.height) return;
@@ -39,9 +45,17 @@ void main() {
   float closed = n - open;
   float share = open / n;
   vec3 shown = vec3(VKPT_MEAN(0u), VKPT_MEAN(1u), VKPT_MEAN(2u));
+  uint splats = pixel * kSplatNumbers;
+  if (job.splatUnit > 0.0) {
+    shown += vec3(splatSum(splats), splatSum(splats + 4u), splatSum(splats + 8u)) * job.splatUnit;
+  }
   if (job.shows == kShowsStandardError) {
     vec3 deviations = vec3(VKPT_DEVIATIONS(0u), VKPT_DEVIATIONS(1u), VKPT_DEVIATIONS(2u));
-    shown = count < 2u ? vec3(0.0) : sqrt(deviations / (n * (n - 1.0)));
+    vec3 variance = deviations / (n * (n - 1.0));
+    if (job.splatUnit > 0.0) {
+      variance += vec3(splatSum(splats + 2u), splatSum(splats + 6u), splatSum(splats + 10u)) * job.splatSquareUnit;
+    }
+    shown = count < 2u ? vec3(0.0) : sqrt(variance);
   }
   uint r = displayByte(shown.x, job.scale, job.tonemap);
   uint g = displayByte(shown.y, job.scale, job.tonemap);

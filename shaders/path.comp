@@ -1,6 +1,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// One iteration of path tracing for a tile: a batch of samples for every pixel of it. A lane whose path has ended
+// One iteration of path tracing for a tile: a batch of samples for every pixel of it, paths from the eye or, specialised
+// by kFromLight, from the lights. A lane whose path has ended
 // starts its pixel's next sample, so that no lane waits for the longest path; and none waits long for another's ray:
 // the subgroup shades when most of its lanes have their hits, and the others go on with their rays after that. What
 // does not fit into the step budget is saved, listed, and goes on in the next dispatch.
@@ -32,15 +33,35 @@ struct Work {
   uint pixel;
   uint x;
   uint y;
-  uint begun;      // samples whose paths have started
-  uint done;       // samples finished
+  uint open;       // bit i: sample i is to be done; the lowest: its path is under way
   vec3 mean;       // of the open group of samples, those of earlier batches included
   vec3 deviations; // sum of squared deviations from it
 };
 
 uint randomKey() { return frame.seed ^ MUTATE(SampleHighIgnored, job.firstSampleHigh * 0x9E3779B9u, 0u); }
 
-Path nextPath(Work work) { return cameraPath(work.pixel, work.x, work.y, job.firstSample + work.begun, randomKey()); }
+Path pathOfSample(Work work, uint i) {
+  if (kFromLight) return lightPath(work.pixel, job.firstSample + i, randomKey());
+  return cameraPath(work.pixel, work.x, work.y, job.firstSample + i, randomKey());
+}
+
+// Which samples of the batch need work, a bit each: of those that take a path from a light, the ones that may become
+// caustics. All lanes look at all of theirs together: later, one by one, the others would have to wait.
+uint samplesToDo(Work work) {
+  uint all = (1u << job.sampleCount) - 1u;
+  if (!kFromLight) return all;
+  uint some = 0u;
+  uint count = subgroupMaximum(job.sampleCount);
+  uint i = 0u;
+  do {
+    if (mayBecomeCaustic(pathOfSample(work, i).ray)) some |= 1u << i;
+    i += 1u;
+  } while (i < count);
+  g_steps += count;
+  return some & all;
+}
+
+uint nextSample(Work work) { return work.open == 0u ? 0u : uint(findLSB(work.open)); }
 
 vec3 filmColour(uint plane, uint pixel) {
   return vec3(uintBitsToFloat(film[plane].values[pixel]), uintBitsToFloat(film[plane + 1u].values[pixel]),
@@ -48,13 +69,14 @@ vec3 filmColour(uint plane, uint pixel) {
 }
 
 void savePath(Work work, Path path) {
-  uint flags = (path.emit ? 1u : 0u) | (path.waiting << 1u) | (path.history << 8u);
-  pathPlanes[statePlane(0u, work.slot)] = uvec4(floatBitsToUint(path.ray.o), work.done);
+  uint flags = (path.emit ? 1u : 0u) | (path.waiting << 1u) | (path.history << 6u) | (path.repeat << 10u) |
+               (path.repeats > 1u ? 1u << 14u : 0u) | (work.open << 16u);
+  pathPlanes[statePlane(0u, work.slot)] = uvec4(floatBitsToUint(path.ray.o), floatBitsToUint(path.otherPdf_A));
   pathPlanes[statePlane(1u, work.slot)] = uvec4(floatBitsToUint(path.ray.d), path.ray.exclude);
   pathPlanes[statePlane(2u, work.slot)] = uvec4(floatBitsToUint(path.beta), path.bounce | (path.branch << 14u));
   pathPlanes[statePlane(3u, work.slot)] = uvec4(floatBitsToUint(path.L), flags);
   pathPlanes[statePlane(4u, work.slot)] = uvec4(floatBitsToUint(work.mean), floatBitsToUint(path.pdf_w));
-  pathPlanes[statePlane(5u, work.slot)] = uvec4(floatBitsToUint(work.deviations), floatBitsToUint(path.filterWeight));
+  pathPlanes[statePlane(5u, work.slot)] = uvec4(floatBitsToUint(work.deviations), floatBitsToUint(path.sampleWeight));
 }
 
 void loadPath(inout Work work, inout Path path) {
@@ -65,7 +87,7 @@ void loadPath(inout Work work, inout Path path) {
   uvec4 e = pathPlanes[statePlane(4u, work.slot)];
   uvec4 f = pathPlanes[statePlane(5u, work.slot)];
   path.ray.o = uintBitsToFloat(a.xyz);
-  work.done = a.w;
+  path.otherPdf_A = uintBitsToFloat(a.w);
   path.ray.d = uintBitsToFloat(b.xyz);
   path.ray.exclude = b.w;
   path.beta = MUTATE(CarriedThroughputLost, uintBitsToFloat(c.xyz), vec3(1.0));
@@ -73,13 +95,16 @@ void loadPath(inout Work work, inout Path path) {
   path.branch = c.w >> 14u;
   path.L = uintBitsToFloat(d.xyz);
   path.emit = MUTATE(CarriedEmitLost, (d.w & 1u) != 0u, true);
-  path.waiting = MUTATE(CarriedBranchLost, (d.w >> 1u) & 127u, 0u);
-  path.history = MUTATE(CarriedHistoryLost, d.w >> 8u, kHistoryEye);
-  path.sampleLow = job.firstSample + work.done;
+  path.waiting = MUTATE(CarriedBranchLost, (d.w >> 1u) & 31u, 0u);
+  path.history = MUTATE(CarriedHistoryLost, (d.w >> 6u) & 15u, kHistoryEye);
+  path.repeat = MUTATE(CarriedRepeatLost, (d.w >> 10u) & 15u, 0u);
+  path.repeats = ((d.w >> 14u) & 1u) != 0u ? specularSamples() : 1u;
+  work.open = d.w >> 16u;
+  path.sampleLow = job.firstSample + nextSample(work);
   work.mean = uintBitsToFloat(e.xyz);
   path.pdf_w = MUTATE(CarriedPdfLost, uintBitsToFloat(e.w), 0.0);
   work.deviations = uintBitsToFloat(f.xyz);
-  path.filterWeight = uintBitsToFloat(f.w);
+  path.sampleWeight = uintBitsToFloat(f.w);
 }
 
 // Returns whether this lane has work at all.
@@ -92,19 +117,17 @@ bool startWork(out Work work, out Path path) {
   work.pixel = work.y * frame.width + work.x;
   g_slot = work.slot;
   g_pixel = work.pixel;
-  work.begun = 0u;
-  work.done = 0u;
+  work.open = fresh ? samplesToDo(work) : 0u;
   work.mean = vec3(0.0);
   work.deviations = vec3(0.0);
-  path = nextPath(work);
+  path = pathOfSample(work, nextSample(work));
   if (any && !fresh) loadPath(work, path);
   if (any && fresh && job.firstSample % kSamplesPerGroup != 0u) {
     work.mean = filmColour(kFilmOpenMean, work.pixel);
     work.deviations = filmColour(kFilmOpenDeviations, work.pixel);
   }
   if (kEffectKindImages && any) loadKinds();
-  work.begun = work.done + 1u;
-  return any && work.done < job.sampleCount;
+  return any && work.open != 0u;
 }
 
 void finishSample(inout Work work, vec3 L) {
@@ -112,8 +135,8 @@ void finishSample(inout Work work, vec3 L) {
     if (MUTATE(FaultsHidden, true, false)) reportNonFinite();
     L = vec3(0.0); // counts as a sample of 0; the fault is reported
   }
-  work.done += 1u;
-  float n = float(job.firstSample % kSamplesPerGroup + work.done);
+  if (kFromLight) return; // what it has brought lies with other pixels
+  float n = float(job.firstSample % kSamplesPerGroup + job.sampleCount - uint(bitCount(work.open)));
   addSample(work.mean, work.deviations, n, L);
 }
 
@@ -190,7 +213,7 @@ void gatherLight(inout Work work, inout Path path, inout Rays rays) {
   Path owner = path;
   if (rays.pathOver) {
     owner.L = rays.overL;
-    owner.filterWeight = rays.overWeight;
+    owner.sampleWeight = rays.overWeight;
   }
   gatherDirect(owner, rays.direct, rays.occluded);
   if (rays.pathOver) finishSample(work, sampleValue(owner));
@@ -207,12 +230,18 @@ void shade(inout Work work, inout Path path, inout Rays rays) {
   reportClosestRay();
   if (traversalCut(rays.traversal)) reportCut();
   if (!VKPT_EXTEND(path, rays.traversal.hit, rays.direct)) {
-    rays.pathOver = true;
-    rays.overL = path.L;
-    rays.overWeight = path.filterWeight;
-    rays.onPath = work.begun < job.sampleCount;
-    path = nextPath(work);
-    work.begun += 1u;
+    // Of the same sample or of the next.
+    uint others = work.open & (work.open - 1u);
+    bool last = path.repeat + 1u >= path.repeats || !kEffectSpecularSamples;
+    if (last) work.open = others;
+    Path fresh = pathOfSample(work, nextSample(work));
+    if (!startAgainFrom(fresh, path)) {
+      rays.pathOver = true;
+      rays.overL = path.L;
+      rays.overWeight = path.sampleWeight;
+      rays.onPath = work.open != 0u;
+      path = fresh;
+    }
   }
   beginRays(rays, path);
 }
@@ -238,7 +267,7 @@ void main() {
         if (rays.onPath) shade(work, path, rays);
       }
       g_steps += 1u;
-      working = work.done < job.sampleCount;
+      working = work.open != 0u || rays.pathOver;
       goesOn = working && g_steps < kStepBudget;
       lanes = subgroupAdd(goesOn ? 1u : 0u);
     } while (goesOn && wellFilled(lanes));
@@ -246,7 +275,7 @@ void main() {
     if (working) {
       traceShadowRay(rays, path);
       gatherLight(work, path, rays);
-      working = work.done < job.sampleCount;
+      working = work.open != 0u;
     }
   }
   if (started) savePath(work, path);

@@ -22,5 +22,5 @@ Vec3 conductorReflectance(Material m, Float cosI) {
 }
 
 BsdfSample sampleConductor(Surface s, Vec3 wo, Vec3) {
-  return specularSample(reflectAbove(wo, s.n, s.ng), conductorReflectance(s.m, min(abs(dot(s.n, wo)), 1.0)));
+  return reflectedSample(s, wo, conductorReflectance(s.m, min(abs(dot(s.n, wo)), 1.0)));
 }

@@ -22,6 +22,8 @@ struct DielectricBranches {
   Vec3 reflection;
   Vec3 refraction; // of no meaning where share is 1
   bool total;      // reflected totally
+  bool reflectionReversible; // the same rule leads back
+  bool refractionReversible;
 };
 
 // By Snell's law about n, on wo's side.
@@ -32,6 +34,8 @@ DielectricBranches dielectricAbout(Vec3 wo, Vec3 n, Float eta) {
   b.share = fresnelDielectric(cosI, eta, cosT);
   b.share = MUTATE(AlwaysReflects, MUTATE(NeverReflects, b.share, floor(b.share)), 1.0);
   b.total = cosT == 0.0;
+  b.reflectionReversible = true;
+  b.refractionReversible = true;
   b.reflection = n * (2.0 * cosI) - wo;
   b.refraction = n * (cosI / eta - cosT) - wo / eta;
   return b;
@@ -46,7 +50,13 @@ DielectricBranches dielectricBranches(Material m, Vec3 wo, Vec3 n, Vec3 ng, bool
     // The geometric normal decides where the shading normal sends light to the wrong side, and where only the
     // shading normal reflects totally: a smooth sphere lets out what it let in, its facets must not trap it.
     DielectricBranches g = dielectricAbout(wo, ng, eta);
+    // By the shading normal alone; a total reflection by the geometric one too, on the way back as well.
+    bool reflection = dot(b.reflection, ng) > 0.0 &&
+                      (!b.total || (g.total && dielectricAbout(b.reflection, ng, eta).total));
+    bool refraction = !b.total && dot(b.refraction, ng) < 0.0;
     if (b.total && !g.total) b = g;
+    b.reflectionReversible = reflection;
+    b.refractionReversible = refraction;
     if (dot(b.reflection, ng) <= 0.0) b.reflection = g.reflection;
     if (!b.total && dot(b.refraction, ng) >= 0.0) {
       if (g.total) b.refraction = g.reflection;
@@ -60,5 +70,7 @@ BsdfSample sampleDielectric(Surface s, Vec3 wo, Vec3 u) {
   DielectricBranches b = dielectricBranches(s.m, wo, s.n, s.ng, s.front);
   bool reflected = u.z < b.share;
   Vec3 weight = Vec3(MUTATE(RefractionScaled, 1.0, reflected ? 1.0 : 0.44));
-  return specularSample(normalize(reflected ? b.reflection : b.refraction), weight);
+  BsdfSample sampled = specularSample(normalize(reflected ? b.reflection : b.refraction), weight);
+  sampled.reversible = dot(s.ns, wo) > 0.0 && (reflected ? b.reflectionReversible : b.refractionReversible);
+  return sampled;
 }

@@ -14,5 +14,6 @@ BsdfSample sampleDiffuse(Surface s, Vec3, Vec3 u) {
   b.weight = MUTATE(AlbedoClamped, s.m.reflectance, min(s.m.reflectance, Vec3(1.0)));
   b.pdf_w = local.z * kInvPi;
   b.specular = false;
+  b.reversible = true;
   return b;
 }

@@ -3,6 +3,7 @@
 //   0 E   1 ES+   2 ES*D   3 ES*DD+   4 ES*DSr   5 ES*DSt   6 ES*DStSt   7 any other with an S behind the first D
 // The tables hold one hexadecimal digit a history, history 0 in the lowest.
 CONSTANT uint kHistoryEye = 0u;
+CONSTANT uint kHistoryLight = 0u; // of a path from a light: light_path.glsl
 
 uint afterDiffuse(uint history) { return (0x77773322u >> (4u * history)) & 15u; }
 uint afterSpecular(uint history, bool transmitted) {

@@ -27,6 +27,8 @@
 #include "environment.glsl"
 #include "light.glsl"
 #include "kinds.glsl"
+#include "path_state.glsl"
+#include "light_path.glsl"
 #include "path.glsl"
 #include "filter.glsl"
 #include "camera.glsl"

@@ -1,27 +1,5 @@
 // The estimator. Radiance in W m^-2 sr^-1; beta is the product of f cos / pdf over the path's vertices.
 
-struct Path {
-  Ray ray;          // to the next vertex
-  Vec3 beta;
-  Vec3 L;           // what the path has gathered
-  uint bounce;      // scattering events so far: the next vertex's index
-  bool emit;        // whether emission at the next vertex counts: light sampling has not counted all of it
-  Float pdf_w;      // with which the BSDF sampled ray.d where light sampling could too; 0: emission counts in full
-  uint history;     // kinds.glsl
-  uint branch;      // which branches of split vertices the path has taken, a bit each
-  uint waiting;     // branches that wait
-  uint pixel;       // with sampleLow and key: the counter of the random numbers
-  uint sampleLow;
-  uint key;
-  Float filterWeight; // of the sample in its pixel
-};
-
-UVec4 pathRandom(Path path, uint block) {
-  uint key = path.key;
-  if (kEffectSplitting) key = branchKey(key, path.branch);
-  return randomBlock(path.pixel, path.sampleLow, block, key);
-}
-
 bool weighsStrategies() { return kEffectMis && lightStrategy() == kStrategyMis; }
 // Whether light sampling finds the emitters that a ray can hit: delta lights alone are sampled in any case.
 bool samplesEmitters() { return kEffectLightSampling && lightStrategy() != kStrategyBsdf; }
@@ -30,33 +8,12 @@ bool samplesEmitters() { return kEffectLightSampling && lightStrategy() != kStra
 void gather(INOUT(Path) path, uint history, Vec3 L) {
   Vec3 counted = L;
   if (kEffectPathKinds && !MUTATE(UnwantedKindsCount, kindWanted(history), true)) counted = Vec3(0.0);
-  if (kEffectKindImages) recordKind(kindOf(history), counted * path.filterWeight);
+  if (kEffectKindImages) recordKind(kindOf(history), counted * path.sampleWeight);
   path.L += counted;
 }
 
 // By way of the subgroup: a kernel with a loop whose bound is a uniform is compiled anew for every dispatch by lavapipe.
 uint lightSampleCount() { return subgroupMaximum(lightSamples()); }
-
-// What a light sends by way of a vertex to the viewer, if nothing is in between.
-struct DirectLight {
-  Ray shadow;
-  Float end;    // of the shadow ray; 0: no light, no ray
-  uint target;  // triangle that the shadow ray leads to
-  Vec3 L;
-  uint history; // of the path that it makes
-};
-
-DirectLight noDirectLight() {
-  DirectLight d;
-  d.shadow.o = Vec3(0.0);
-  d.shadow.d = Vec3(0.0, 0.0, 1.0);
-  d.shadow.exclude = kNoTriangle;
-  d.end = 0.0;
-  d.target = kNoTriangle;
-  d.L = Vec3(0.0);
-  d.history = kHistoryEye;
-  return d;
-}
 
 // One light sample: radiance f cos Le / pdf_w.
 DirectLight sampleDirect(Surface s, Vec3 wo, UVec4 random, UVec4 more, bool wanted) {
@@ -79,18 +36,27 @@ DirectLight sampleDirect(Surface s, Vec3 wo, UVec4 random, UVec4 more, bool want
   }
   d.L = facing ? bsdf.f * light.L * weight : Vec3(0.0);
   d.history = kHistoryEye;
+  d.pixel = kNoPixel;
   return d;
 }
 
-// Adds it to the path, now that its shadow ray has ended.
+// Adds it to the path or to another pixel, now that its shadow ray has ended.
 void gatherDirect(INOUT(Path) path, DirectLight d, bool occluded) {
-  gather(path, d.history, MUTATE(OcclusionIgnored, occluded, false) ? Vec3(0.0) : d.L);
+  Vec3 L = MUTATE(OcclusionIgnored, occluded, false) ? Vec3(0.0) : d.L;
+  if (!kFromLight) gather(path, d.history, L);
+  if (kFromLight && d.pixel != kNoPixel && maxComponent(L) > 0.0) splat(d.pixel, path.pixel, L);
 }
 
 // Weight of emission that BSDF sampling has found, where light sampling would have found it with density pdf_w.
 Float emissionWeight(Path path, Float lightPdf_w) {
   Float samples = Float(kEffectLightSamples ? MUTATE(MisSamplesIgnored, lightSamples(), 1u) : 1u);
   return weighsStrategies() && path.pdf_w > 0.0 && lightPdf_w > 0.0 ? misWeight(path.pdf_w, samples * lightPdf_w) : 1.0;
+}
+
+// The same where a path from a light would have found it.
+Float causticWeight(Path path, Float lightPdf_A) {
+  bool both = path.otherPdf_A > 0.0 && path.pdf_w == 0.0;
+  return both ? MUTATE(CausticsTwice, misWeight(path.otherPdf_A, lightPdf_A), 1.0) : 1.0;
 }
 
 void saveBranch(INOUT(Path) path, Surface s, Vec3 wi, Vec3 beta, uint triangle, uint history, uint branch) {
@@ -137,24 +103,36 @@ bool extendPath(INOUT(Path) path, Hit hit, OUT(DirectLight) direct) {
   Vec3 wo = -path.ray.d;
   bool goesOn = hit.triangle != kNoTriangle;
   if (!goesOn) {
-    gatherBackground(path);
+    if (!kFromLight) gatherBackground(path);
   } else {
     Surface s = surfaceAt(hit, wo);
     if (kEffectAbsorption && !s.front && isGlass(s.m.bsdf)) {
       path.beta = path.beta * exp(-s.m.absorption * hit.t); // the way here lay behind the surface
     }
 
+    // SEVERAL PATHS for a sample that begins at a specular surface: what it leads to is as bright as it is rare.
+    if (kEffectSpecularSamples && !kFromLight && path.bounce == 0u && path.repeat == 0u && isSpecular(s.m.bsdf)) {
+      path.repeats = specularSamples();
+      path.sampleWeight = path.sampleWeight * MUTATE(RepeatsNotAveraged, 1.0 / Float(path.repeats), 1.0);
+    }
+
     // EMISSION: L += beta Le, unless the vertex before has sampled the emitters itself.
     if (kEffectAreaLights && path.emit && MUTATE(BackEmits, s.front, true)) {
       Float weight = emissionWeight(path, areaToSolidAngle(s.m.lightPdf_A, hit.t * hit.t, dot(s.ng, wo)));
+      if (kEffectLightTracing) weight *= causticWeight(path, s.m.lightPdf_A);
       gather(path, path.history, MUTATE(ThroughputDropped, path.beta, Vec3(1.0)) * s.m.emission * weight);
     }
     uint bounceLimit = MUTATE(BounceLimitOffByOne, maxBounces(), maxBounces() + 1u);
     if (kEffectBounceLimit && path.bounce >= bounceLimit) goesOn = false;
     if (kEffectOneSided && !MUTATE(BackScatters, scattersHere(s), true)) goesOn = false;
 
+    if (kEffectLightTracing && !kFromLight && path.bounce == 0u && isSmooth(s.m.bsdf)) {
+      Float pdf_A = eyePdf_A(hit.t * hit.t, abs(dot(s.ng, wo)), dot(path.ray.d, cameraForward()));
+      path.otherPdf_A = tracesLights() ? pdf_A : 0.0;
+    }
+
     // DIRECT: next event estimation at surfaces that are not specular.
-    if (kEffectLightSampling && goesOn) {
+    if (kEffectLightSampling && goesOn && !kFromLight) {
       uint history = afterDiffuse(path.history);
       bool wanted = !kEffectPathKinds || kindWanted(history);
       uint count = kEffectLightSamples ? lightSampleCount() : 1u;
@@ -177,6 +155,8 @@ bool extendPath(INOUT(Path) path, Hit hit, OUT(DirectLight) direct) {
       }
     }
 
+    if (kFromLight && goesOn) direct = connectToEye(path, s, wo);
+
     // INDIRECT: one direction from the BSDF; the emission it finds counts as far as no light sample found it.
     UVec4 random = pathRandom(path, blockBsdf(path.bounce));
     BsdfSample b = sampleBsdf(s, wo, random);
@@ -186,10 +166,16 @@ bool extendPath(INOUT(Path) path, Hit hit, OUT(DirectLight) direct) {
       reportInvalidPdf();
       b.weight = Vec3(0.0);
     }
+    if (kFromLight) b.weight = adjointWeight(s, wo, b);
+    if (kEffectLightTracing && !kFromLight && !b.reversible) path.otherPdf_A = 0.0;
     Vec3 beta = path.beta * b.weight;
-    path.emit = MUTATE(EmissionTwice, specular || !samplesEmitters() || weighsStrategies(), true);
+    path.emit = MUTATE(EmissionTwice, specular || !samplesEmitters() || weighsStrategies(), true) && !kFromLight;
     path.pdf_w = specular ? 0.0 : b.pdf_w;
     uint history = specular ? afterSpecular(path.history, dot(b.wi, s.ng) < 0.0) : afterDiffuse(path.history);
+    if (kFromLight) {
+      goesOn = goesOn && (specular || path.bounce > 0u); // what comes straight from a light is light sampling's
+      history = specular ? lightAfterSpecular(path.history, dot(b.wi, s.ng) < 0.0) : kLightOther;
+    }
     bool spared = false; // from roulette
     path.bounce += 1u;
 
@@ -220,12 +206,14 @@ bool extendPath(INOUT(Path) path, Hit hit, OUT(DirectLight) direct) {
     if (kEffectRoulette && path.bounce >= rouletteAfter() && !spared) {
       survivalProbability = min(1.0, kRouletteMode == kRouletteAlbedo ? meanComponent(b.weight) : maxComponent(beta));
       if (kRouletteMode == kRouletteConstant) survivalProbability = survival();
+      if (kFromLight) survivalProbability = min(1.0, maxComponent(b.weight));
     }
     bool survives = toUnit(random.w) < MUTATE(RouletteCapped, survivalProbability, min(survivalProbability, 0.5));
     goesOn = goesOn && MUTATE(BlackGoesOn, maxComponent(beta) > 0.0 && survives, maxComponent(beta) == 0.0 || survives);
     path.beta = beta / MUTATE(SurvivalNotDivided, survivalProbability, 1.0);
-    if (kEffectBounceLimit && path.bounce >= bounceLimit && !(path.emit || kEffectBackground)) goesOn = false;
-    if (kEffectPathKinds && historyDead(path.history)) goesOn = false;
+    bool last = kEffectBounceLimit && path.bounce >= bounceLimit;
+    if (last && (kFromLight || !(path.emit || kEffectBackground))) goesOn = false;
+    if (kEffectPathKinds && !kFromLight && historyDead(path.history)) goesOn = false;
     if (goesOn && path.bounce >= MUTATE(DepthCapped, kBounceCap, 64u)) {
       reportCappedPath();
       goesOn = false;
@@ -243,7 +231,7 @@ bool Li(INOUT(Path) path) {
   Hit hit = traceClosest(path.ray);
   DirectLight direct;
   bool goesOn = extendPath(path, hit, direct);
-  bool waits = kEffectLightSampling && !kEffectLightSamples;
+  bool waits = (kEffectLightSampling && !kEffectLightSamples) || kEffectLightTracing;
   bool occluded = waits && traceOccluded(direct.shadow, direct.end, direct.target);
   gatherDirect(path, direct, occluded);
   return goesOn;

@@ -50,6 +50,12 @@ struct TextureRecord {
   uint height;
 };
 
+// An integer of 64 bits.
+struct WideCount {
+  uint low;
+  uint high;
+};
+
 // A branch of a path that waits until the other one has ended: specular, so its emission counts in full.
 struct Branch {
   Vec3 o;

@@ -13,6 +13,14 @@ bool isSmooth(uint bsdf) {
   return found;
 }
 
+bool isSpecular(uint bsdf) {
+  bool found = false;
+#define VKPT_IS(Name, Type) if (kEffect##Name) found = found || bsdf == kBsdf##Type;
+  VKPT_SPECULAR_BSDFS(VKPT_IS)
+#undef VKPT_IS
+  return found;
+}
+
 bool isRoughGlass(uint bsdf) { return kEffectRoughGlass && bsdf == kBsdfRoughDielectric; }
 // Whether light goes through it to a medium that may absorb.
 bool isGlass(uint bsdf) { return bsdf == kBsdfDielectric || isRoughGlass(bsdf); }

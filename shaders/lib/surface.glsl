@@ -22,10 +22,12 @@ Surface surfaceAt(Hit hit, Vec3 wo) {
   s.front = dot(s.ng, wo) > 0.0;
   s.ng = s.front ? s.ng : -s.ng;
   s.n = s.ng;
+  s.ns = s.ng;
   if (kEffectSmoothNormals) {
     Vec3 n = triangleNormal(hit.triangle, 0u) * b0 + triangleNormal(hit.triangle, 1u) * hit.b1 +
              triangleNormal(hit.triangle, 2u) * hit.b2;
     n = dot(n, s.ng) < 0.0 ? -n : n;
+    s.ns = n;
     // A shading normal that the viewer can't see can't shade: the geometric one stands in.
     if (dot(n, wo) > 0.0) s.n = normalize(n);
   }
@@ -36,6 +38,20 @@ Surface surfaceAt(Hit hit, Vec3 wo) {
     s.m.reflectance = s.m.reflectance * textureAt(s.m.texture, uv);
   }
   return s;
+}
+
+// As it is seen along w.
+Surface seenFrom(Surface s, Vec3 w) {
+  Surface e = s;
+  bool behind = dot(s.ng, w) < 0.0;
+  if (behind) {
+    e.ng = -s.ng;
+    e.ns = -s.ns;
+    e.front = !s.front;
+  }
+  e.n = e.ng;
+  if (kEffectSmoothNormals && dot(e.ns, w) > 0.0) e.n = normalize(e.ns);
+  return e;
 }
 
 bool scattersHere(Surface s) { return s.front || (s.m.flags & kMaterialOneSided) == 0u; }

@@ -31,7 +31,7 @@ void main() {
     if (hit.triangle != kNoTriangle && surfaceAt(hit, -path.ray.d).front) front = kVertexFront;
     vec3 direction = path.ray.d;
     vec3 before = path.L;
-    goesOn = Li(path);
+    goesOn = Li(path) || startAgain(path);
     if (vertices < kRecordedVertices) {
       VertexRecord v;
       v.direction = vec4(direction, hit.t);

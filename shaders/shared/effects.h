@@ -32,7 +32,10 @@
   X(24, KindImages, kindImages, "--output-paths")                                                            \
   X(25, PixelFilter, pixelFilter, "a reconstruction filter other than a box of one pixel")                   \
   X(26, Ggx, ggx, "rough metal or rough glass with the distribution ggx")                                    \
-  X(27, Beckmann, beckmann, "rough metal or rough glass with the distribution beckmann")
+  X(27, Beckmann, beckmann, "rough metal or rough glass with the distribution beckmann")                     \
+  X(28, LightTracing, lightTracing,                                                                          \
+    "area lights, specular and other surfaces, and --light-tracing auto or on")                              \
+  X(29, SpecularSamples, specularSamples, "a specular surface, and --specular-samples above 1")
 
 // How surfaces scatter: X(Name of the effect, Type). A type's number is its effect's id; sampleTYPE() and,
 // unless it is specular, evaluateTYPE() are chosen by it (shaders/lib/scatter.glsl). What is not diffuse:

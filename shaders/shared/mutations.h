@@ -62,7 +62,16 @@
   X(55, CarriedBranchLost, "a path that goes on in the next dispatch forgets its waiting branches")          \
   X(56, CarriedPdfLost, "a path that goes on in the next dispatch forgets the density of its direction")     \
   X(57, CarriedHistoryLost, "a path that goes on in the next dispatch forgets its kind")                     \
-  X(91, ReplicatesAlike, "the replicates of a point set share their scrambling")
+  X(91, ReplicatesAlike, "the replicates of a point set share their scrambling")                             \
+  X(92, CausticsTwice, "what paths from the lights find counts in full where the eye's paths find it too")   \
+  X(93, AxisCosineDropped, "splats far from the image's centre are as bright as in the centre")              \
+  X(94, ShadingAdjointDropped, "light is scattered by shading normals as radiance is")                       \
+  X(95, IndexAdjointDropped, "light is refracted without the square of the index")                           \
+  X(96, IrreversibleJoined, "light that leaves by another rule than it came is joined to the eye")           \
+  X(97, SplatCarryLost, "sums of splats have 32 bits")                                                       \
+  X(98, RepeatsAlike, "the paths of a sample share their random numbers")                                    \
+  X(99, RepeatsNotAveraged, "several paths of a sample add up")                                              \
+  X(100, CarriedRepeatLost, "a sample that goes on in the next dispatch begins again with its first path")
 
 // Those that tests/bsdf notices: by samples counted against their density, and by closed forms.
 #define VKPT_SAMPLING_MUTATIONS_LIST(X)                                                                      \

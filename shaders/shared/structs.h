@@ -33,7 +33,8 @@ VKPT_CONSTANT uint kBindingTextures = 11u;    // texel buffer: a texel for each 
 VKPT_CONSTANT uint kBindingEnvironment = 12u; // texel buffer: 2 texels for each of the map's
 VKPT_CONSTANT uint kBindingKinds = 13u;       // storage[kKindCount]: an image of each kind of light path
 VKPT_CONSTANT uint kBindingReplicates = 14u;  // texel buffer[3], by channel: a pixel's mean in each replicate
-VKPT_CONSTANT uint kBindingCount = 15u;
+VKPT_CONSTANT uint kBindingSplats = 15u; // texel buffer of single numbers: what paths from the lights bring
+VKPT_CONSTANT uint kBindingCount = 16u;
 
 // --- texels a record takes ---
 VKPT_CONSTANT uint kTexelsPerNode = 8u;
@@ -50,6 +51,7 @@ VKPT_CONSTANT uint kConstantRouletteMode = 65u;
 VKPT_CONSTANT uint kConstantFilterShape = 66u;
 VKPT_CONSTANT uint kConstantPrimaryView = 67u; // of path.comp built with VKPT_PRIMARY
 VKPT_CONSTANT uint kConstantSampler = 68u;
+VKPT_CONSTANT uint kConstantFromLight = 69u;
 
 VKPT_CONSTANT uint kPrimaryBaseColour = 0u;
 VKPT_CONSTANT uint kPrimaryNormals = 1u;
@@ -122,6 +124,7 @@ VKPT_CONSTANT uint kLeafTriangles = 4u; // vkpt::kMaxLeafTriangles
 VKPT_CONSTANT uint kStepBudget = 2200u;
 VKPT_CONSTANT uint kMaxTraversalSteps = 3500u; // with several light samples their shadow rays share them
 VKPT_CONSTANT uint kMaxLightSamples = 16u;
+VKPT_CONSTANT uint kMaxSpecularSamples = 16u;
 VKPT_CONSTANT uint kMaxSplitDepth = 16u; // a path's branches are told apart by 16 bits
 
 // --- the film: planes of one 32-bit value a pixel ---
@@ -136,6 +139,15 @@ VKPT_CONSTANT uint kFilmPlanes = 19u; // 76 bytes a pixel
 VKPT_CONSTANT uint kKindOpen = 0u;   // RGB: sum over the open group
 VKPT_CONSTANT uint kKindClosed = 3u; // float pairs (high, low) x RGB: sum over the closed groups
 VKPT_CONSTANT uint kKindPlanes = 9u; // 36 bytes a pixel
+
+// What paths from the lights bring to a pixel, by channel the sum and the sum of squares: integers of 64
+// bits, low half first, so that no order of adding changes them.
+VKPT_CONSTANT uint kSplatNumbers = 12u; // 48 bytes a pixel
+// Behind the pixels' the sums of all that a part of the paths has brought, by part and channel: what they
+// differ by tells the error of the image's mean, to which a path brings several splats. By the path's own
+// pixel.
+VKPT_CONSTANT uint kSplatParts = 64u;
+VKPT_CONSTANT uint kSpecularBoxes = 4u; // that hold the specular surfaces between them
 
 VKPT_CONSTANT uint kPathPlanes = 6u;   // uvec4 planes of a saved path state: 96 bytes a slot
 VKPT_CONSTANT uint kBranchPlanes = 3u; // and of each branch that waits: 48 bytes
@@ -177,6 +189,7 @@ struct FrameConstants {
   vec4 upperLeft; // direction to the image plane's top left corner (plane at distance 1)
   vec4 right;     // over the image's width, at distance 1
   vec4 down;      // over the image's height
+  vec4 forward;   // the camera's axis, unit; w: the image's area at distance 1
   vec4 background;
   uint width;
   uint height;
@@ -195,9 +208,15 @@ struct FrameConstants {
   uint environmentWidth;
   uint environmentHeight;
   uint lightStrategy;
+  uint tracesLights;      // 1: with every sample goes a path from a light
+  float splatUnits;       // of a splat's sum, one unit of radiance
+  float splatSquareUnits; // of its sum of squares, one unit of squared radiance
+  float lightPower;       // of all lights that light sampling knows, over pi, summed over the channels
+  uint specularSamples;   // paths of a sample whose first surface is specular
   uint unused0;
   uint unused1;
-  uint unused2;
+  vec4 specularLower[kSpecularBoxes]; // a box more than there are lies far away
+  vec4 specularUpper[kSpecularBoxes];
   vec4 filterShape;                        // radius, and what the shape needs: lib/filter.glsl
   vec4 filterEdges[kFilterBins / 4u + 1u]; // edges of the bins, in pixels from the centre
 };
@@ -219,16 +238,19 @@ struct Dispatch {
 // --- drawing the film into a window: display.comp ---
 VKPT_CONSTANT uint kDisplayFilm = 0u;   // storage[kFilmPlanes]
 VKPT_CONSTANT uint kDisplayPixels = 1u; // storage: the picture, 8 bits a channel, a uint a pixel
+VKPT_CONSTANT uint kDisplaySplats = 2u; // texel buffer: the film's kBindingSplats
 
 struct DisplayJob { // push constants
   uint filmWidth;
   uint filmHeight;
   uint width; // of the picture; a pixel of the film is stretched over it
   uint height;
-  uint tonemap; // lib/display.glsl
-  uint redLast; // 1: bytes B G R A, 0: R G B A
-  uint shows;   // kShowsMean, ...
-  float scale;  // of radiance
+  uint tonemap;          // lib/display.glsl
+  uint redLast;          // 1: bytes B G R A, 0: R G B A
+  uint shows;            // kShowsMean, ...
+  float scale;           // of radiance
+  float splatUnit;       // radiance that a unit of the splats' sums stands for; 0: there are none
+  float splatSquareUnit; // and of the squared standard error that of their squares
 };
 VKPT_CONSTANT uint kShowsMean = 0u;
 VKPT_CONSTANT uint kShowsStandardError = 1u;

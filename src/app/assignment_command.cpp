@@ -45,10 +45,14 @@ std::vector<std::string> wordsOf(std::string_view arguments) {
   return words;
 }
 
-/// Both assignments are about independent random numbers.
+/// Both assignments are about independent random numbers and paths from the eye.
 void addRunOptions(const AssignmentOptions& o, std::vector<std::string>& words) {
   if (std::ranges::find(words, "--sampler") == words.end())
     words.insert(words.end(), {"--sampler", "independent"});
+  if (std::ranges::find(words, "--light-tracing") == words.end())
+    words.insert(words.end(), {"--light-tracing", "off"});
+  if (std::ranges::find(words, "--specular-samples") == words.end())
+    words.insert(words.end(), {"--specular-samples", "1"});
   if (!o.device.empty())
     words.insert(words.end(), {"--device", o.device});
   if (o.validation)
@@ -96,7 +100,8 @@ ExperimentWork prepareExperiment(const AssignmentOptions& o, const AssignmentExp
     words.insert(words.end(), {"--seeds", "2"});
   addRunOptions(o, words);
   ExperimentWork work{&experiment, parseStudyOptions(words).value(), {}};
-  work.options.command = fmt::format("vkpt study {} --sampler independent", experiment.arguments);
+  work.options.command = fmt::format(
+      "vkpt study {} --sampler independent --light-tracing off --specular-samples 1", experiment.arguments);
   work.loaded = std::move(loadStudies(work.options).front());
   if (o.quick) {
     work.loaded.scene.width = std::max(1, work.loaded.scene.width / kQuickShrink);

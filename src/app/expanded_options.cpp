@@ -110,6 +110,8 @@ std::vector<std::string> describeOptions(const RenderOptions& o, const RenderJob
   say("--roulette {} --roulette-after {}", rouletteText(e), e.effectiveRouletteAfter());
   say("--effects {}", effectsText(o.effects));
   say("--filter {}", nameOf(kFilterNames, scene.filter.shape));
+  say("--light-tracing {} --specular-samples {}", nameOf(kLightTracingNames, e.lightTracing),
+      e.specularSamples);
   say("--sampler {} --seed {} --background {}", nameOf(kSamplerNames, e.sampler), o.seed,
       vector(scene.background));
   if (!scene.environment.file.empty())

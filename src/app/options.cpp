@@ -169,6 +169,19 @@ void addEstimatorOptions(CLI::App& app, RenderOptions& o) {
       },
       "random numbers: independent, or Owen-scrambled Sobol' points (default sobol)");
   addValue(
+      app, "--light-tracing", "auto|on|off",
+      [&e](const auto& text) {
+        e.lightTracing = static_cast<LightTracing>(parseName("--light-tracing", text, kLightTracingNames));
+      },
+      "paths from the lights as well, for caustics: where the scene has them, or not (default auto)");
+  addValue(
+      app, "--specular-samples", "N",
+      [&e](const auto& text) {
+        e.specularSamples = static_cast<std::uint32_t>(
+            parseWhole("--specular-samples", text, 1, shared::kMaxSpecularSamples));
+      },
+      "paths of a sample whose first surface is a mirror, smooth metal or glass, 1 to 16 (default 4)");
+  addValue(
       app, "--seed", "N",
       [&o](const auto& text) {
         o.seed = static_cast<std::uint32_t>(parseWhole("--seed", text, 0, kLargest32));

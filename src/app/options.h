@@ -12,12 +12,16 @@
 
 namespace vkpt {
 
+/// Of the samples that begin at specular surfaces, which are as a rule few and noisy.
+inline constexpr std::uint32_t kSpecularSamples = 4;
+
 struct RenderOptions {
   std::vector<fs::path> scenes;
   RenderJob job;
   bool endless = false; ///< where no rule stops the run it goes on, in place of the scene's own count
-  EstimatorSettings estimator{.sampler =
-                                  Sampler::Sobol}; ///< where a scene may say otherwise, by estimatorFor()
+  /// Where a scene may say otherwise, by estimatorFor().
+  EstimatorSettings estimator{
+      .sampler = Sampler::Sobol, .lightTracing = LightTracing::Auto, .specularSamples = kSpecularSamples};
   std::optional<LightStrategy> light;
   std::optional<std::uint32_t> maxBounces;
   std::optional<std::uint32_t> pathKinds; ///< bit i: PathKind i

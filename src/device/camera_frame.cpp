@@ -2,9 +2,11 @@
 
 #include "core/error.h"
 #include "device/filter_table.h"
+#include "device/light_tracing.h"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -42,6 +44,38 @@ std::uint32_t deadHistories(std::uint32_t pathKinds) {
   return dead;
 }
 
+/// By what a path from a light would bring to a pixel from the scene's far end, by way of a white surface:
+/// `typical`. Sums may be 2^40 of these, those of squares 2^48 of its square; what is rounded is 2^-24 and
+/// 2^-16 of them.
+void setSplatUnits(shared::FrameConstants& constants, const Scene& scene) {
+  Box3d box;
+  for (const Vec3f& p : scene.positions)
+    box.extend(Vec3d(p) + scene.origin);
+  box.extend(scene.camera.eye);
+  const Vec3d extent = box.extent();
+  const double area = static_cast<double>(constants.forward.w);
+  const double typical = static_cast<double>(constants.lightPower) / (glm::dot(extent, extent) * area);
+  const double units = typical > 0.0 ? std::exp2(24.0 - std::round(std::log2(typical))) : 1.0;
+  constants.splatUnits = static_cast<float>(units);
+  constants.splatSquareUnits = static_cast<float>(units * units * std::exp2(-32.0));
+}
+
+/// In local coordinates, a little too large: rounding must not make a path miss one.
+void setSpecularBoxes(shared::FrameConstants& constants, const Scene& scene) {
+  constexpr float kNowhere = 1e30F;
+  std::ranges::fill(constants.specularLower, shared::vec4{kNowhere, kNowhere, kNowhere, 0.0F});
+  std::ranges::fill(constants.specularUpper, shared::vec4{kNowhere, kNowhere, kNowhere, 0.0F});
+  if (constants.tracesLights == 0)
+    return;
+  std::size_t i = 0;
+  for (const Box3d& box : specularBoxes(scene, shared::kSpecularBoxes)) {
+    const Vec3d margin(1e-5 * std::max(glm::length(box.lower), glm::length(box.upper)));
+    constants.specularLower[i] = toVec4(box.lower - margin);
+    constants.specularUpper[i] = toVec4(box.upper + margin);
+    ++i;
+  }
+}
+
 } // namespace
 
 void setView(shared::FrameConstants& constants, const Scene& scene, int width, int height) {
@@ -68,6 +102,9 @@ void setView(shared::FrameConstants& constants, const Scene& scene, int width, i
   constants.upperLeft = toVec4(forward - 0.5 * right - 0.5 * down);
   constants.right = toVec4(right);
   constants.down = toVec4(down);
+  constants.forward = toVec4(forward);
+  constants.forward.w = static_cast<float>(glm::length(right) * glm::length(down));
+  setSplatUnits(constants, scene);
   constants.width = static_cast<std::uint32_t>(width);
   constants.height = static_cast<std::uint32_t>(height);
   constants.blocksX = blocksAlong(width);
@@ -78,8 +115,14 @@ void setView(shared::FrameConstants& constants, const Scene& scene, int width, i
 shared::FrameConstants frameConstants(const Scene& scene, const LightChoice& lights,
                                       const EstimatorSettings& estimator, int width, int height,
                                       std::uint32_t seed) {
+  const auto obstacle = lightTracingObstacle(scene, estimator);
+  if (estimator.lightTracing == LightTracing::On && obstacle && obstacle->impossible)
+    throw UsageError("--light-tracing on can't go together with " + obstacle->reason.text());
   shared::FrameConstants c{};
+  c.tracesLights = obstacle ? 0U : 1U;
+  c.lightPower = static_cast<float>(lights.totalPower);
   setView(c, scene, width, height);
+  setSpecularBoxes(c, scene);
   c.background = {scene.background.x, scene.background.y, scene.background.z, 0.0F};
   c.seed = seed;
   c.lightCount = lights.count;
@@ -92,6 +135,7 @@ shared::FrameConstants frameConstants(const Scene& scene, const LightChoice& lig
   c.lightStrategy = static_cast<std::uint32_t>(estimator.light);
   c.lightSamples = estimator.lightSamples;
   c.splitDepth = estimator.splitDepth;
+  c.specularSamples = estimator.specularSamples;
   c.pathKinds = estimator.pathKinds;
   c.deadHistories = deadHistories(estimator.pathKinds);
   setFilter(c, scene.filter);

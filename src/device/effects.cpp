@@ -26,6 +26,7 @@ constexpr Dependence kDependences[] = {
     {Effect::ManyLights, {Effect::LightSampling, Effect::LightSampling}},
     {Effect::DeltaLights, {Effect::LightSampling, Effect::LightSampling}},
     {Effect::LightSamples, {Effect::LightSampling, Effect::LightSampling}},
+    {Effect::LightTracing, {Effect::LightSampling, Effect::LightSampling}},
     {Effect::RoughMetal, {Effect::Ggx, Effect::Beckmann}},
     {Effect::RoughGlass, {Effect::Ggx, Effect::Beckmann}},
 };

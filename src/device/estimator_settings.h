@@ -22,12 +22,20 @@ enum class Sampler : std::uint32_t {
   Sobol = shared::kSamplerSobol, ///< Owen-scrambled, in shared::kReplicates replicates
 };
 
+/// Whether paths from the lights bring caustics to the image: shaders/lib/light_path.glsl.
+enum class LightTracing : std::uint32_t {
+  Auto, ///< where the scene and the other settings have them
+  On,   ///< an error where the other settings or the scene's materials don't allow it
+  Off,
+};
+
 inline constexpr std::uint32_t kUnlimitedBounces = std::numeric_limits<std::uint32_t>::max();
 inline constexpr std::uint32_t kAllPathKinds = (1U << kPathKindCount) - 1U;
 
 struct EstimatorSettings {
   Sampler sampler = Sampler::Independent;
   LightStrategy light = LightStrategy::Mis;
+  LightTracing lightTracing = LightTracing::Off;
   std::uint32_t lightSamples = 1;               ///< shadow rays at a surface point, 1 to kMaxLightSamples
   std::uint32_t maxBounces = kUnlimitedBounces; ///< 0: emitted light only, 1: + direct light, ...
   RouletteMode roulette = RouletteMode::Throughput;
@@ -36,6 +44,9 @@ struct EstimatorSettings {
   /// At smooth dielectrics both branches are followed up to this trace depth; specular surfaces end no path
   /// by roulette up to it. 0 to kMaxSplitDepth.
   std::uint32_t splitDepth = 0;
+  /// Paths of a sample whose first surface is specular, through the same point of the image: 1 to
+  /// kMaxSpecularSamples.
+  std::uint32_t specularSamples = 1;
   std::uint32_t pathKinds = kAllPathKinds; ///< bit i: PathKind i is rendered
   bool kindImages = false;                 ///< an image of each kind beside the whole
 

@@ -5,6 +5,7 @@
 #include "device/enclosure.h"
 #include "device/filter_table.h"
 #include "device/light_table.h"
+#include "device/light_tracing.h"
 
 #include <algorithm>
 #include <cmath>
@@ -46,6 +47,8 @@ public:
     outside();
     lightSampling(goesOn);
     paths();
+    specularSamples();
+    caustics();
     image();
     for (const EffectInfo& e : allEffects()) {
       EffectReason& r = reason(e.effect);
@@ -236,6 +239,28 @@ private:
            because.where);
       else
         miss(Effect::Splitting, "--split 0");
+    }
+  }
+
+  void specularSamples() {
+    for (const Effect e : kSpecularBsdfs) {
+      const EffectReason because = reason(e);
+      if (has(e) && m_settings.specularSamples > 1)
+        on(Effect::SpecularSamples,
+           fmt::format("--specular-samples {}, and {}", m_settings.specularSamples, because.because),
+           because.where);
+      else if (has(e))
+        miss(Effect::SpecularSamples, "--specular-samples 1");
+    }
+  }
+
+  void caustics() {
+    const auto obstacle = lightTracingObstacle(m_scene, m_settings);
+    if (obstacle)
+      return miss(Effect::LightTracing, obstacle->reason.because, obstacle->reason.where);
+    for (const Effect e : kSpecularBsdfs) {
+      if (has(e))
+        on(Effect::LightTracing, reason(e).because, reason(e).where);
     }
   }
 

@@ -228,7 +228,7 @@ PackedScene packScene(const Scene& scene, const EstimatorSettings& estimator, co
   const std::vector<Material> materials = effectiveMaterials(scene);
   packMaterials(scene, materials, lights, packed);
   packed.lightChoice = {static_cast<std::uint32_t>(lights.lights.size()),
-                        static_cast<float>(lights.environmentProbability())};
+                        static_cast<float>(lights.environmentProbability()), lights.totalPower};
   if (effects.has(Effect::LightSampling))
     packLights(scene, lights, packed);
   if (effects.has(Effect::Textures) && !scene.textures.empty()) {

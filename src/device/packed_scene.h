@@ -16,6 +16,7 @@ using Texel = std::array<std::uint32_t, 4>;
 struct LightChoice {
   std::uint32_t count = 0;
   float environmentProbability = 0.0F;
+  double totalPower = 0.0; ///< as LightTable's
 };
 
 /// The scene in the device's layout (shaders/lib/records.glsl), in host memory: what is uploaded, and what

@@ -31,8 +31,8 @@ Vec3d PixelMoments::varianceOfMean() const {
     return Vec3d(0.0);
   const auto n = static_cast<double>(count);
   if (replicates >= 2)
-    return between / (n * (replicates - 1.0));
-  return m2 / (n * (n - 1.0));
+    return between / (n * (replicates - 1.0)) + splatVariance;
+  return m2 / (n * (n - 1.0)) + splatVariance;
 }
 
 namespace {
@@ -114,7 +114,7 @@ double varianceOfSum(const Film& film, const std::vector<double>& squares, doubl
 
 FilmStatistics filmStatistics(const Film& film) {
   FilmStatistics s;
-  Vec3d sum(0.0), variance(0.0);
+  Vec3d sum(0.0), variance(0.0), splats(0.0);
   std::uint64_t measured = 0;
   bool errorKnown = true;
   for (const PixelMoments& p : film.pixels) {
@@ -129,6 +129,11 @@ FilmStatistics filmStatistics(const Film& film) {
     ++measured;
     sum += p.mean;
     variance += p.varianceOfMean();
+    splats += p.splatVariance;
+  }
+  if (film.splatVarianceOfMean) {
+    const auto n = static_cast<double>(measured);
+    variance += *film.splatVarianceOfMean * (n * n) - splats;
   }
   if (measured == 0 || !errorKnown) {
     s.standardError = Vec3d(std::numeric_limits<double>::infinity());

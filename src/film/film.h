@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace vkpt {
@@ -20,13 +21,16 @@ struct PixelMoments {
   /// independent.
   std::uint32_t replicates = 0;
   Vec3d between{0.0}; ///< sum over the replicates of samples times squared deviation of the mean
+  /// Of the mean of what paths from the lights bring, which is part of `mean` and independent of the samples.
+  Vec3d splatVariance{0.0};
 
   /// Adds another set of samples: Chan, Golub, LeVeque 1979, "Updating formulae and a pairwise algorithm".
   /// Equal means leave mean and m2 as they are to the last bit; m2 never becomes negative; a set without
   /// samples changes nothing. The replicates are those of `this`.
   void merge(const PixelMoments& other);
   /// Variance of the mean (squared standard error) per channel: m2 / (n (n - 1)), or
-  /// between / (n (replicates - 1)) where there are two replicates; 0 while count < 2, where it is not known.
+  /// between / (n (replicates - 1)) where there are two replicates, and splatVariance; 0 while count < 2,
+  /// where it is not known.
   [[nodiscard]] Vec3d varianceOfMean() const;
 };
 
@@ -35,6 +39,8 @@ struct Film {
   int width = 0;
   int height = 0;
   std::vector<PixelMoments> pixels; ///< width * height
+  /// Of the film's mean, where paths from the lights bring something: they bring it to several pixels each.
+  std::optional<Vec3d> splatVarianceOfMean{};
   [[nodiscard]] const PixelMoments& at(int x, int y) const {
     return pixels[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
                   static_cast<std::size_t>(x)];
@@ -58,8 +64,8 @@ struct FilmStatistics {
 /// channels; here (a - b)^2 is estimated by the squared standard error, and b by a where its standard error
 /// is below an eighth of it, else by the median of it and its four neighbours. A term 0 / 0 is 0. The
 /// standard error of the image's mean is sqrt(sum of varianceOfMean) / pixels: pixels are taken as
-/// independent. One sample tells nothing of its error, so while any finite pixel has fewer than two, both
-/// errors are infinite: no rule that stops at an error can stop on them.
+/// independent but for their splats. One sample tells nothing of its error, so while any finite pixel has
+/// fewer than two, both errors are infinite: no rule that stops at an error can stop on them.
 FilmStatistics filmStatistics(const Film& film);
 
 struct DevelopSettings {

@@ -94,15 +94,16 @@ void Buffer::fillZero(const Context& context, vk::DeviceSize bytes) const {
       [&](const vk::raii::CommandBuffer& commands) { commands.fillBuffer(handle(), 0, bytes, 0); });
 }
 
-TexelBuffer::TexelBuffer(const Context& context, const std::string& what, vk::DeviceSize texels) {
+TexelBuffer::TexelBuffer(const Context& context, const std::string& what, vk::DeviceSize texels,
+                         vk::Format format) {
   if (texels > context.limits().maxTexelBufferElements) {
     throw DeviceError(fmt::format("{}: {} need {} texels; the device's limit is {}", context.info().name,
                                   what, texels, context.limits().maxTexelBufferElements));
   }
-  m_buffer = Buffer(context, what, texels * kTexelBytes, vk::BufferUsageFlagBits::eStorageTexelBuffer,
+  const vk::DeviceSize texelBytes = format == vk::Format::eR32Uint ? 4 : kTexelBytes;
+  m_buffer = Buffer(context, what, texels * texelBytes, vk::BufferUsageFlagBits::eStorageTexelBuffer,
                     MemoryKind::Device);
-  m_view = vk::raii::BufferView(context.device(),
-                                {{}, m_buffer.handle(), vk::Format::eR32G32B32A32Uint, 0, m_buffer.bytes()});
+  m_view = vk::raii::BufferView(context.device(), {{}, m_buffer.handle(), format, 0, m_buffer.bytes()});
 }
 
 TexelBuffer::TexelBuffer(const Context& context, const std::string& what, std::span<const std::byte> data)

@@ -39,12 +39,13 @@ private:
   void* m_mapped = nullptr;
 };
 
-/// An array of rgba32ui texels; at least one texel.
+/// An array of rgba32ui texels, or of single numbers (eR32Uint); at least one texel.
 class TexelBuffer {
 public:
   TexelBuffer() = default;
   /// What it holds is not defined.
-  TexelBuffer(const Context& context, const std::string& what, vk::DeviceSize texels);
+  TexelBuffer(const Context& context, const std::string& what, vk::DeviceSize texels,
+              vk::Format format = vk::Format::eR32G32B32A32Uint);
   TexelBuffer(const Context& context, const std::string& what, std::span<const std::byte> data);
   [[nodiscard]] const Buffer& buffer() const { return m_buffer; }
   [[nodiscard]] vk::BufferView view() const { return *m_view; }

@@ -24,8 +24,8 @@ public:
         VKPT_EFFECTS(VKPT_INITIALISE_EFFECT)
 #undef VKPT_INITIALISE_EFFECT
             kRouletteMode(static_cast<uint>(roulette)),
-        kSampler(static_cast<uint>(sampler)),
-        kFilterShape(static_cast<uint>(filter)), m_scene(&scene), m_frame(frame) {
+        kSampler(static_cast<uint>(sampler)), kFilterShape(static_cast<uint>(filter)), m_scene(&scene),
+        m_frame(frame) {
     if (scene.bvh.depth >= kMaxStackDepth)
       throw std::length_error("the BVH is too deep for the traversal's stack");
   }
@@ -37,6 +37,7 @@ public:
   uint kRouletteMode;
   uint kSampler;
   uint kFilterShape;
+  bool kFromLight = false; // of the path at hand
 
   // --- accessors: as in shaders/device_memory.glsl ---
   Vec4 nodeBounds(uint node, uint row) const {
@@ -121,6 +122,7 @@ public:
   Float survival() const { return m_frame.survival; }
   uint lightStrategy() const { return m_frame.lightStrategy; }
   uint lightSamples() const { return m_frame.lightSamples; }
+  uint specularSamples() const { return m_frame.specularSamples; }
   uint splitDepth() const { return m_frame.splitDepth; }
   uint pathKinds() const { return m_frame.pathKinds; }
   uint deadHistories() const { return m_frame.deadHistories; }
@@ -135,6 +137,15 @@ public:
     const vec4& group = m_frame.filterEdges[i / 4U];
     return (&group.x)[i % 4U];
   }
+  bool tracesLights() const { return kEffectLightTracing && m_frame.tracesLights != 0; }
+  Vec3 specularLower(uint i) const { return vector(m_frame.specularLower[i]); }
+  Vec3 specularUpper(uint i) const { return vector(m_frame.specularUpper[i]); }
+  Float splatUnits() const { return m_frame.splatUnits; }
+  Float splatSquareUnits() const { return m_frame.splatSquareUnits; }
+  uint imageWidth() const { return m_frame.width; }
+  uint imageHeight() const { return m_frame.height; }
+  Vec3 cameraForward() const { return vector(m_frame.forward); }
+  Float cameraImageArea() const { return m_frame.forward.w; }
   Vec3 background() const { return vector(m_frame.background); }
   Vec3 cameraEye() const { return vector(m_frame.eye); }
   Vec3 cameraUpperLeft() const { return vector(m_frame.upperLeft); }
@@ -147,6 +158,13 @@ public:
   void storeBranch(uint i, const Branch& branch) { m_branches[i] = branch; }
   Branch loadBranch(uint i) const { return m_branches[i]; }
 
+  // --- what paths from the lights bring ---
+  SplatSums* splats = nullptr; // shared by the programs of all threads
+  void addToSplat(uint number, WideCount n) {
+    if (splats != nullptr)
+      splats->add(number / 2, (std::uint64_t{n.high} << 32U) | n.low);
+  }
+
   // --- what the library reports ---
   HostCounters counters;
   void reportTraversal(uint /*steps*/, bool cut) { counters.cutTraversal += cut ? 1U : 0U; }
@@ -154,6 +172,7 @@ public:
   void reportShadowRay(bool traced) { counters.raysShadow += traced ? 1U : 0U; }
   void reportCappedPath() { ++counters.cappedPaths; }
   void reportInvalidPdf() { ++counters.invalidPdf; }
+  void reportNonFinite() { ++counters.nonFinite; }
   void recordKind(uint kind, const Vec3& L) {
     if (isFinite(L.x) && isFinite(L.y) && isFinite(L.z))
       kinds[kind] += Vec3d(L);
@@ -164,8 +183,20 @@ public:
 
   /// The start of sample number `sample` of a pixel.
   Path samplePath(uint x, uint y, std::uint64_t sample) {
-    const uint key = m_frame.seed ^ (static_cast<uint>(sample >> 32U) * 0x9E3779B9U);
-    return cameraPath(y * m_frame.width + x, x, y, static_cast<uint>(sample), key);
+    return cameraPath(y * m_frame.width + x, x, y, static_cast<uint>(sample), keyOf(sample));
+  }
+
+  /// The path from a light that goes with it, if any does; its splats are added up.
+  void traceLightPath(uint x, uint y, std::uint64_t sample) {
+    if (!tracesLights())
+      return;
+    kFromLight = true;
+    Path path = lightPath(y * m_frame.width + x, static_cast<uint>(sample), keyOf(sample));
+    if (mayBecomeCaustic(path.ray)) {
+      while (Li(path)) {
+      }
+    }
+    kFromLight = false;
   }
 
   /// What path.comp does for one lane: samples [firstSample, firstSample + count) of a pixel, summed in Float
@@ -175,8 +206,9 @@ public:
     Vec3 deviations(0);
     uint inGroup = 0;
     for (std::uint64_t i = firstSample; i < firstSample + count; ++i) {
+      traceLightPath(x, y, i);
       Path path = samplePath(x, y, i);
-      while (Li(path)) {
+      while (Li(path) || startAgain(path)) {
       }
       Vec3 L = sampleValue(path);
       if (!(isFinite(L.x) && isFinite(L.y) && isFinite(L.z))) {
@@ -195,6 +227,9 @@ public:
   }
 
 private:
+  uint keyOf(std::uint64_t sample) const {
+    return m_frame.seed ^ (static_cast<uint>(sample >> 32U) * 0x9E3779B9U);
+  }
   static Float number(std::uint32_t bits) { return Float(std::bit_cast<float>(bits)); }
   static Vec3 vector(const Texel& t) { return Vec3(number(t[0]), number(t[1]), number(t[2])); }
   static Vec3 vector(const vec4& v) { return Vec3(v.x, v.y, v.z); }

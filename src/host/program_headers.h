@@ -4,6 +4,7 @@
 #include "device/camera_frame.h"
 #include "device/packed_scene.h"
 #include "film/film.h"
+#include "film/splats.h"
 #include "host/effect_flags.h"
 #include "host/reference.h"
 #include "host/replay.h"

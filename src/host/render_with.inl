@@ -9,10 +9,14 @@ HostRender renderWith(const MakeProgram& makeProgram, int width, int height, std
   render.film = {
       width, height,
       std::vector<PixelMoments>(static_cast<std::size_t>(width) * static_cast<std::size_t>(height))};
+  SplatSums splats(width, height);
+  SplatScale scale;
+  bool tracesLights = false;
   std::atomic<int> nextRow{0};
   std::mutex counting;
   const auto work = [&] {
     auto program = makeProgram();
+    program.splats = &splats;
     for (int y = nextRow++; y < height; y = nextRow++) {
       for (int x = 0; x < width; ++x) {
         auto& moments = render.film.pixels[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
@@ -22,14 +26,17 @@ HostRender renderWith(const MakeProgram& makeProgram, int width, int height, std
     }
     const std::scoped_lock lock(counting);
     render.counters += program.counters;
+    scale = {static_cast<float>(program.splatUnits()), static_cast<float>(program.splatSquareUnits())};
+    tracesLights = program.tracesLights();
   };
   if (threads <= 1) {
     work();
-    return render;
-  }
-  std::vector<std::jthread> workers;
-  for (unsigned i = 0; i < threads; ++i)
-    workers.emplace_back(work);
-  workers.clear(); // joins
+  } else {
+    std::vector<std::jthread> workers;
+    for (unsigned i = 0; i < threads; ++i)
+      workers.emplace_back(work);
+  } // joins
+  if (tracesLights)
+    splats.addTo(render.film, scale);
   return render;
 }

@@ -19,7 +19,7 @@ Replay replayWith(P& program, int x, int y, std::uint64_t sample) {
       step.front = program.surfaceAt(hit, -path.ray.d).front;
     }
     const Vec3d before(path.L);
-    goesOn = program.Li(path);
+    goesOn = program.Li(path) || program.startAgain(path);
     step.gathered = Vec3d(path.L) - before;
     step.goesOn = goesOn;
     replay.steps.push_back(step);

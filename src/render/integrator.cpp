@@ -31,6 +31,7 @@ constexpr auto kLayout = std::to_array<gpu::BindingLayout>({
     {kBindingEnvironment, DescriptorType::eStorageTexelBuffer},
     {kBindingKinds, DescriptorType::eStorageBuffer, kKindCount},
     {kBindingReplicates, DescriptorType::eStorageTexelBuffer, 3},
+    {kBindingSplats, DescriptorType::eStorageTexelBuffer},
 });
 static_assert(kLayout.size() == kBindingCount);
 
@@ -78,7 +79,16 @@ Integrator::Integrator(const gpu::Context& context, const DeviceScene& scene, co
                        gpu::MemoryKind::Host),
       m_film(context, settings.width, settings.height),
       m_kinds(context, settings.width, settings.height, effects.has(Effect::KindImages)),
-      m_replicates(context, settings.width, settings.height, settings.estimator.sampler == Sampler::Sobol) {
+      m_replicates(context, settings.width, settings.height, settings.estimator.sampler == Sampler::Sobol),
+      m_splats(context, settings.width, settings.height,
+               m_constants.tracesLights != 0 && effects.has(Effect::LightTracing)) {
+  m_constants.tracesLights = m_splats.wanted() ? 1 : 0;
+  if (m_splats.wanted()) {
+    gpu::SpecialisationMap constants = specialise(scene, source, effects, settings);
+    constants[kConstantFromLight] = 1;
+    m_lightPath.emplace(context, settings.pathShader.empty() ? spirv::kPath : settings.pathShader, m_bindings,
+                        constants);
+  }
   m_constantsBuffer.write(context, std::as_bytes(std::span{&m_constants, 1}));
   m_bindings.bind(context, kBindingFrame, m_constantsBuffer, DescriptorType::eUniformBuffer);
   bindScene(context, m_bindings, scene);
@@ -86,6 +96,7 @@ Integrator::Integrator(const gpu::Context& context, const DeviceScene& scene, co
   m_film.bind(context, m_bindings);
   m_kinds.bind(context, m_bindings);
   m_replicates.bind(context, m_bindings);
+  m_splats.bind(context, m_bindings, kBindingSplats);
   reserveSlots(kBlockPixels);
 }
 
@@ -114,9 +125,9 @@ void Integrator::dispatch(const gpu::ComputePipeline& pipeline, const Dispatch& 
   });
 }
 
-Counters Integrator::tracePaths(const Dispatch& job) {
+Counters Integrator::traceOnce(const gpu::ComputePipeline& pipeline, const Dispatch& job) {
   std::memset(m_countersBuffer.mapped(), 0, sizeof(Counters));
-  dispatch(m_path, job);
+  dispatch(pipeline, job);
   Counters c{};
   std::memcpy(&c, m_countersBuffer.mapped(), sizeof(Counters));
   m_counters.raysClosest += c.raysClosest;
@@ -143,6 +154,19 @@ void Integrator::keepFaults(const Counters& c, const Dispatch& job) {
   }
 }
 
+void Integrator::tracePaths(const gpu::ComputePipeline& pipeline, Dispatch job,
+                            const std::function<void()>& between) {
+  // Every dispatch takes each unfinished path at least one vertex further, and no path is longer than
+  // kBounceCap.
+  while ((job.listed = traceOnce(pipeline, job).unfinished) > 0) {
+    job.fresh = 0;
+    job.packs = job.listed > kLeastWorthPacking ? 1 : 0;
+    job.listTurn ^= 1U;
+    if (between)
+      between();
+  }
+}
+
 std::uint64_t Integrator::renderTile(const Tile& tile, std::uint64_t firstSample, std::uint32_t count,
                                      const std::function<void()>& between) {
   assert(firstSample % kSamplesPerGroup + count <= kSamplesPerGroup);
@@ -156,26 +180,47 @@ std::uint64_t Integrator::renderTile(const Tile& tile, std::uint64_t firstSample
   job.fresh = 1;
   job.packs = 1;
   reserveSlots(job.slotCount);
-  // Every dispatch takes each unfinished path at least one vertex further, and no path is longer than
-  // kBounceCap.
-  while ((job.listed = tracePaths(job).unfinished) > 0) {
-    job.fresh = 0;
-    job.packs = job.listed > kLeastWorthPacking ? 1 : 0;
-    job.listTurn ^= 1U;
-    if (between)
-      between();
-  }
+  if (m_lightPath)
+    tracePaths(*m_lightPath, job, between);
+  tracePaths(m_path, job, between);
   if (count > 0)
     dispatch(m_commit, job);
   const std::uint64_t samples = std::uint64_t{job.slotCount} * count;
   m_counters.samples += samples;
+  m_lightPaths += pixelsOf(tile) * count;
   return samples;
+}
+
+/// Blocks at the image's edges are cut, some lie outside of it (device_memory.glsl: pixelOfSlot).
+std::uint64_t Integrator::pixelsOf(const Tile& tile) const {
+  std::uint64_t pixels = 0;
+  for (std::uint32_t i = tile.firstBlock; i < tile.firstBlock + tile.blockCount; ++i) {
+    if (i / kStripes >= m_constants.blocksPerStripe)
+      continue;
+    const std::uint32_t block = (i % kStripes) * m_constants.blocksPerStripe + i / kStripes;
+    const std::uint32_t x = block % m_constants.blocksX * kBlockEdge;
+    const std::uint32_t y = block / m_constants.blocksX * kBlockEdge;
+    if (y < m_constants.height)
+      pixels += std::uint64_t{std::min(m_constants.width - x, kBlockEdge)} *
+                std::min(m_constants.height - y, kBlockEdge);
+  }
+  return pixels;
+}
+
+SplatScale Integrator::splatUnits() const {
+  if (m_lightPaths == 0 || m_constants.tracesLights == 0)
+    return {0.0F, 0.0F};
+  const double frames = static_cast<double>(m_lightPaths) / m_constants.width / m_constants.height;
+  return {static_cast<float>(1.0 / (static_cast<double>(m_constants.splatUnits) * frames)),
+          static_cast<float>(1.0 / (static_cast<double>(m_constants.splatSquareUnits) * frames * frames))};
 }
 
 void Integrator::clear() {
   m_film.clear(m_context);
   m_kinds.clear(m_context);
   m_replicates.clear(m_context);
+  m_splats.clear(m_context);
+  m_lightPaths = 0;
 }
 
 void Integrator::forget() {
@@ -202,6 +247,9 @@ void Integrator::restart(const Scene& source, int width, int height) {
   m_kinds.bind(m_context, m_bindings);
   m_replicates.resize(m_context, width, height);
   m_replicates.bind(m_context, m_bindings);
+  m_splats.resize(m_context, width, height);
+  m_splats.bind(m_context, m_bindings, kBindingSplats);
+  m_lightPaths = 0;
   forget();
 }
 
@@ -212,22 +260,34 @@ Film RawFilm::film() const {
     if (!replicates[0].empty())
       addReplicates(film.pixels[i], replicates, i);
   }
+  if (!splats.empty())
+    splats.addTo(film, splatScale);
   return film;
 }
 
 RawFilm Integrator::rawFilm() const {
   const auto pixels =
       static_cast<std::size_t>(m_settings.width) * static_cast<std::size_t>(m_settings.height);
-  return {m_settings.width, m_settings.height, m_film.download(m_context, 0, pixels),
-          m_replicates.download(m_context, 0, pixels)};
+  return {m_settings.width,
+          m_settings.height,
+          m_film.download(m_context, 0, pixels),
+          m_replicates.download(m_context, 0, pixels),
+          m_splats.download(m_context),
+          splatScale()};
 }
 
 PixelMoments Integrator::pixel(int x, int y) const {
   const auto index =
       static_cast<std::size_t>(y) * static_cast<std::size_t>(m_settings.width) + static_cast<std::size_t>(x);
-  return RawFilm{1, 1, m_film.download(m_context, index, 1), m_replicates.download(m_context, index, 1)}
-      .film()
-      .pixels.front();
+  PixelMoments moments =
+      RawFilm{1, 1, m_film.download(m_context, index, 1), m_replicates.download(m_context, index, 1), {}, {}}
+          .film()
+          .pixels.front();
+  if (const SplatSums splats = m_splats.download(m_context); !splats.empty()) {
+    const auto paths = static_cast<double>(m_lightPaths);
+    splats.addTo(moments, index, splatScale(), paths / m_settings.width / m_settings.height, paths);
+  }
+  return moments;
 }
 
 std::vector<std::vector<Vec3d>> Integrator::kindImages(const Film& film) const {

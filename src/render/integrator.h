@@ -7,9 +7,11 @@
 #include "render/device_film.h"
 #include "render/device_kinds.h"
 #include "render/device_replicates.h"
+#include "render/device_splats.h"
 #include "shared/structs.h"
 
 #include <functional>
+#include <optional>
 
 namespace vkpt {
 
@@ -66,6 +68,8 @@ struct RawFilm {
   int height = 0;
   FilmPlanes planes;
   ReplicateMeans replicates;
+  SplatSums splats;
+  SplatScale splatScale;
   [[nodiscard]] Film film() const;
 };
 
@@ -95,6 +99,10 @@ public:
   /// One pixel of it.
   [[nodiscard]] PixelMoments pixel(int x, int y) const;
   [[nodiscard]] const DeviceFilm& deviceFilm() const { return m_film; }
+  [[nodiscard]] const DeviceSplats& deviceSplats() const { return m_splats; }
+  /// Radiance that a unit of the splats' sums stands for in the film as it is, and squared standard error
+  /// that one of their squares does; 0 without any.
+  [[nodiscard]] SplatScale splatUnits() const;
   /// Mean radiance of each kind of light path, by pixel; empty unless settings.estimator.kindImages.
   [[nodiscard]] std::vector<std::vector<Vec3d>> kindImages(const Film& film) const;
   [[nodiscard]] const RunCounters& counters() const { return m_counters; }
@@ -102,14 +110,21 @@ public:
   [[nodiscard]] const std::vector<Fault>& faults() const { return m_faults; }
   [[nodiscard]] const IntegratorSettings& settings() const { return m_settings; }
   [[nodiscard]] std::uint64_t filmBytes() const {
-    return m_film.bytes() + m_kinds.bytes() + m_replicates.bytes();
+    return m_film.bytes() + m_kinds.bytes() + m_replicates.bytes() + m_splats.bytes();
   }
 
 private:
+  [[nodiscard]] std::uint64_t pixelsOf(const Tile& tile) const;
+  [[nodiscard]] SplatScale splatScale() const {
+    return {m_constants.splatUnits, m_constants.splatSquareUnits};
+  }
   void reserveSlots(std::uint32_t slots);
   void forget();
   void dispatch(const gpu::ComputePipeline& pipeline, const shared::Dispatch& job) const;
-  shared::Counters tracePaths(const shared::Dispatch& job);
+  /// All of a unit's paths, from the lights or from the eye.
+  void tracePaths(const gpu::ComputePipeline& pipeline, shared::Dispatch job,
+                  const std::function<void()>& between);
+  shared::Counters traceOnce(const gpu::ComputePipeline& pipeline, const shared::Dispatch& job);
   void keepFaults(const shared::Counters& counters, const shared::Dispatch& job);
 
   const gpu::Context& m_context;
@@ -117,6 +132,7 @@ private:
   shared::FrameConstants m_constants{};
   gpu::BindingSet m_bindings;
   gpu::ComputePipeline m_path;
+  std::optional<gpu::ComputePipeline> m_lightPath; ///< where paths from the lights are traced
   gpu::ComputePipeline m_commit;
   gpu::Buffer m_constantsBuffer;
   gpu::Buffer m_countersBuffer;
@@ -126,6 +142,8 @@ private:
   DeviceFilm m_film;
   DeviceKinds m_kinds;
   DeviceReplicates m_replicates;
+  DeviceSplats m_splats;
+  std::uint64_t m_lightPaths = 0; ///< whose splats are in the film
   RunCounters m_counters;
   std::vector<Fault> m_faults;
 };

@@ -1,5 +1,6 @@
 #include "render/memory_plan.h"
 
+#include "render/device_splats.h"
 #include "render/render_job.h"
 
 #include <algorithm>
@@ -15,6 +16,10 @@ std::uint64_t sizeOf(const std::vector<Texel>& texels) { return texels.size() * 
 
 std::uint64_t pixelsOf(int width, int height) {
   return static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(height);
+}
+
+std::uint64_t splatBytes(int width, int height) {
+  return DeviceSplats::texelsFor(width, height) * sizeof(std::uint32_t);
 }
 
 /// As the integrator reserves them for the largest tile.
@@ -74,6 +79,11 @@ MemoryPlan planMemory(const gpu::Context& context, const PackedScene& packed, co
   storage("kinds of light path", kKindCount,
           (effects.has(Effect::KindImages) ? pixels : 1) * kKindPlanes * sizeof(float));
   texels("means of replicates", 3 * (estimator.sampler == Sampler::Sobol ? pixels : 1) * sizeof(Texel));
+  if (effects.has(Effect::LightTracing)) {
+    plan.rows.push_back({"splats", splatBytes(width, height), splatBytes(width, height),
+                         "maxTexelBufferElements",
+                         std::uint64_t{context.limits().maxTexelBufferElements} * sizeof(std::uint32_t)});
+  }
   storage("path states, at most", 1, pathStateBytes(slots, estimator.splitDepth));
   storage("slot lists, at most", 1, slotListBytes(slots));
   return plan;
@@ -99,6 +109,8 @@ std::uint64_t effectBytes(Effect effect, const PackedScene& packed, const Effect
     return sizeOf(packed.environment);
   case Effect::Splitting:
     return pathStateBytes(slots, estimator.splitDepth) - pathStateBytes(slots, 0);
+  case Effect::LightTracing:
+    return splatBytes(width, height);
   case Effect::KindImages:
     return pixelsOf(width, height) * kKindCount * kKindPlanes * sizeof(float);
   default:

@@ -9,6 +9,8 @@ namespace vkpt {
 namespace {
 
 constexpr std::string_view kBlanks{" \t\v\f\0", 5};
+/// With its letter and sign. tinyobjloader counts exponents in an int.
+constexpr std::size_t kLongestExponent = 10;
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 
 std::string_view trim(std::string_view text) {
@@ -87,6 +89,11 @@ bool StatementReader::next(Statement& statement) {
       statement.text.back() = ' ';
       statement.text += trim(takeLine());
     }
+    statement.text.erase(
+        0, statement.text.find_first_not_of(kBlanks)); // of a line that was nothing but a backslash
+    if (statement.text.empty() || statement.text.front() == '#') {
+      continue;
+    }
     if (holdsNumbers(statement.text)) {
       statement.text.resize(std::min(statement.text.find('#'), statement.text.size()));
     }
@@ -126,6 +133,10 @@ std::optional<double> parseNumber(std::string_view word) {
   std::string_view digits = word;
   if (digits.starts_with('+') && !digits.starts_with("+-")) {
     digits.remove_prefix(1);
+  }
+  const auto exponent = digits.find_first_of("eE");
+  if (exponent != std::string_view::npos && digits.size() - exponent > kLongestExponent) {
+    return std::nullopt;
   }
   double value = 0.0;
   const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);

@@ -52,7 +52,7 @@ private:
 void splitWords(std::string_view text, std::vector<std::string_view>& words);
 
 /// A whole word as a number; `nan` and `inf` count as numbers, too large ones as infinite. Empty: not a
-/// number.
+/// number, or one with an exponent of nine digits and more.
 std::optional<double> parseNumber(std::string_view word);
 
 /// A whole word as an integer that fits.

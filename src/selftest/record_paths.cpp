@@ -27,6 +27,7 @@ constexpr auto kLayout = std::to_array<gpu::BindingLayout>({
     {kBindingTextures, DescriptorType::eStorageTexelBuffer},
     {kBindingEnvironment, DescriptorType::eStorageTexelBuffer},
     {kBindingKinds, DescriptorType::eStorageBuffer, kKindCount},
+    {kBindingSplats, DescriptorType::eStorageTexelBuffer},
     {kBindingRecords, DescriptorType::eStorageBuffer},
 });
 
@@ -70,6 +71,8 @@ std::vector<PathRecord> recordPaths(const Trial& t, const OracleScene& s, std::u
   bindings.bind(context, kBindingPaths, unused, DescriptorType::eStorageBuffer);
   for (std::uint32_t k = 0; k < kKindCount; ++k)
     bindings.bind(context, kBindingKinds, unused, DescriptorType::eStorageBuffer, k);
+  const gpu::TexelBuffer noSplats(context, "splats", 4, vk::Format::eR32Uint);
+  bindings.bind(context, kBindingSplats, noSplats);
   bindings.bind(context, kBindingRecords, out, DescriptorType::eStorageBuffer);
   context.execute([&](const vk::raii::CommandBuffer& commands) {
     Dispatch job{};

@@ -2,13 +2,14 @@
 # Builds the benchmarks in build-bench/ and runs them:
 #   tests/bench/run.sh [vkpt-bench's arguments]                     vkpt against Embree
 #   tests/bench/run.sh --effects [vkpt-bench-effects's arguments]   kernels without and with what a scene needs not
-# With npm and a network a real mesh stands in the box, too, against Embree. Both programs have --help.
+#   tests/bench/run.sh --errors [vkpt-bench-errors's arguments]     the error that a second of one core buys
+# With npm and a network a real mesh stands in the box, too, against Embree. All have --help.
 set -euo pipefail
 root=$(dirname "$(dirname "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")")")
 source "$root/cmake/build.sh"
 program=vkpt-bench
-if [[ ${1-} == --effects ]]; then
-  program=vkpt-bench-effects
+if [[ ${1-} == --effects || ${1-} == --errors ]]; then
+  program=vkpt-bench-${1#--}
   shift
 fi
 lockBuild
@@ -22,6 +23,9 @@ if [[ $program == vkpt-bench ]]; then
   else
     echo 'run: going on without a mesh' >&2
   fi
+fi
+if [[ $program == vkpt-bench-errors ]]; then
+  arguments=(--folder "$root/build-bench") # references take minutes: they are kept
 fi
 unlockBuild
 exec "$root/build-bench/$program" "${arguments[@]}" "$@"

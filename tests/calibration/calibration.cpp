@@ -64,9 +64,9 @@ const gpu::Context& sharedContext() {
   return context;
 }
 
-StudySetting defaultSetting(const Scene& scene, Sampler sampler) {
+StudySetting settingOf(const Scene& scene, const EstimatorSettings& estimator) {
   StudySetting setting;
-  setting.estimator.sampler = sampler;
+  setting.estimator = estimator;
   setting.filter = scene.filter;
   setting.effects = detectEffects(scene, setting.estimator);
   return setting;
@@ -81,8 +81,8 @@ Scene sceneOf(const std::string& name, int width, int height) {
   return scene;
 }
 
-SeedRuns::SeedRuns(const Scene& scene, Sampler sampler)
-    : m_run(sharedContext(), scene, defaultSetting(scene, sampler)) {}
+SeedRuns::SeedRuns(const Scene& scene, const EstimatorSettings& estimator)
+    : m_run(sharedContext(), scene, settingOf(scene, estimator)) {}
 
 Film SeedRuns::render(std::uint32_t seed, std::uint64_t frames) {
   m_run.restart(seed);

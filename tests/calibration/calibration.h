@@ -14,8 +14,8 @@ namespace vkpt::test {
 /// Made at the first call, with the validation layer on.
 const gpu::Context& sharedContext();
 
-/// The default estimator with this sampler.
-StudySetting defaultSetting(const Scene& scene, Sampler sampler = Sampler::Independent);
+/// The scene by this estimator.
+StudySetting settingOf(const Scene& scene, const EstimatorSettings& estimator = {});
 
 /// A built-in scene or a file of assets/, at a size of its own.
 Scene sceneOf(const std::string& name, int width, int height);
@@ -23,7 +23,7 @@ Scene sceneOf(const std::string& name, int width, int height);
 /// The scene with the default estimator and a sampler on a validated device, seed after seed.
 class SeedRuns {
 public:
-  explicit SeedRuns(const Scene& scene, Sampler sampler = Sampler::Independent);
+  explicit SeedRuns(const Scene& scene, const EstimatorSettings& estimator = {});
   /// So many frames with this seed.
   Film render(std::uint32_t seed, std::uint64_t frames);
   /// Until the upper 95 % bound of the relative error is at most this, by the rule of renderUntil().

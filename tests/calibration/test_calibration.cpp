@@ -5,9 +5,18 @@
 namespace vkpt::test {
 namespace {
 
+constexpr EstimatorSettings kWithLights{
+    .sampler = Sampler::Sobol, .lightTracing = LightTracing::On, .specularSamples = 4};
+
 TEST(Calibration, OfTheCornellBox) { expectCalibrated(sceneOf("cornell", 48, 48), 24, 256); }
 
-TEST(Calibration, OfSobolPoints) { expectCalibrated(sceneOf("cornell", 48, 48), 24, 256, Sampler::Sobol); }
+TEST(Calibration, OfSobolPoints) {
+  expectCalibrated(sceneOf("cornell", 48, 48), 24, 256, {.sampler = Sampler::Sobol});
+}
+
+TEST(Calibration, OfPathsFromTheLights) {
+  expectCalibrated(sceneOf("cornell-spheres", 10, 10), 16, 2048, kWithLights);
+}
 
 TEST(TargetError, IsKeptInNineOfTenRuns) { expectTargetKept(sceneOf("cornell", 16, 16), 0.1, 40, 16384); }
 

@@ -12,13 +12,18 @@ TEST(CalibrationLong, OfTheSpheres) { expectCalibrated(sceneOf("cornell-spheres"
 TEST(CalibrationLong, OfTheBoxLitFromTheSide) { expectCalibrated(sceneOf("cbox.xml", 32, 32), kSeeds, 512); }
 
 TEST(CalibrationLong, OfTheBlocksBySobol) {
-  expectCalibrated(sceneOf("cornell", 32, 32), kSeeds, 512, Sampler::Sobol);
+  expectCalibrated(sceneOf("cornell", 32, 32), kSeeds, 512, {.sampler = Sampler::Sobol});
 }
 TEST(CalibrationLong, OfTheSpheresBySobol) {
-  expectCalibrated(sceneOf("cornell-spheres", 32, 32), kSeeds, 2048, Sampler::Sobol);
+  expectCalibrated(sceneOf("cornell-spheres", 32, 32), kSeeds, 2048, {.sampler = Sampler::Sobol});
 }
 TEST(CalibrationLong, OfTheBoxLitFromTheSideBySobol) {
-  expectCalibrated(sceneOf("cbox.xml", 32, 32), kSeeds, 512, Sampler::Sobol);
+  expectCalibrated(sceneOf("cbox.xml", 32, 32), kSeeds, 512, {.sampler = Sampler::Sobol});
+}
+
+TEST(CalibrationLong, OfTheSpheresWithPathsFromTheLights) {
+  expectCalibrated(sceneOf("cornell-spheres", 32, 32), kSeeds, 2048,
+                   {.sampler = Sampler::Sobol, .lightTracing = LightTracing::On, .specularSamples = 4});
 }
 
 TEST(TargetErrorLong, IsKeptOnTheBlocks) { expectTargetKept(sceneOf("cornell", 32, 32), 0.1, 100, 16384); }
@@ -27,7 +32,7 @@ TEST(TargetErrorLong, IsKeptOnTheSpheres) {
 }
 
 TEST(TargetErrorLong, IsKeptOnTheBlocksBySobol) {
-  expectTargetKept(sceneOf("cornell", 32, 32), 0.1, 100, 16384, Sampler::Sobol);
+  expectTargetKept(sceneOf("cornell", 32, 32), 0.1, 100, 16384, {.sampler = Sampler::Sobol});
 }
 
 TEST(SlopeLong, IsThatOfIndependentSamples) {

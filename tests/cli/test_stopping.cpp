@@ -67,7 +67,7 @@ TEST(Stop, AtTheFirstRuleThatIsMet) {
 
 TEST(Stop, SaysWhatHalfTheErrorWouldCost) {
   const WorkFolder folder;
-  const CommandResult measured = vkpt({"--frames", "64", "--size", "32x32"}, {folder.path(), {}});
+  const CommandResult measured = vkpt({"--frames", "256", "--size", "48x48"}, {folder.path(), {}});
   EXPECT_NE(measured.out.find("half of it would take another "), std::string::npos) << measured.out;
   EXPECT_NE(measured.out.find("(measured: "), std::string::npos) << measured.out;
   const CommandResult guessed = vkpt({"--frames", "8", "--size", "32x32"}, {folder.path(), {}});

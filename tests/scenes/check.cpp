@@ -4,9 +4,9 @@ namespace vkpt::test {
 
 std::vector<Check> ownChecks() {
   std::vector<Check> checks;
-  for (const auto& some :
-       {filmChecks(), lightChecks(), deltaChecks(), surfaceChecks(), environmentChecks(), filterChecks(),
-        rouletteChecks(), sobolChecks(), kindChecks(), splittingChecks(), strategyChecks(), pathChecks()})
+  for (const auto& some : {filmChecks(), lightChecks(), deltaChecks(), surfaceChecks(), environmentChecks(),
+                           filterChecks(), rouletteChecks(), sobolChecks(), kindChecks(), splittingChecks(),
+                           strategyChecks(), pathChecks(), lightTracingChecks()})
     checks.insert(checks.end(), some.begin(), some.end());
   return checks;
 }

@@ -121,6 +121,7 @@ EstimatorSettings everyOption() {
   settings.maxBounces = 8;
   settings.pathKinds = kAllPathKinds & ~1U;
   settings.kindImages = true;
+  settings.specularSamples = 2;
   return settings;
 }
 

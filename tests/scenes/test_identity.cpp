@@ -33,6 +33,22 @@ TEST_F(Identity, BatchesChangeNothing) {
   }
 }
 
+/// Splats come from everywhere to everywhere.
+TEST_F(Identity, BatchesAndTilesChangeNothingOfPathsFromTheLights) {
+  RenderSetup setup = spheresSetup();
+  setup.estimator.lightTracing = LightTracing::On;
+  setup.estimator.specularSamples = 3;
+  const Scene scene = spheres();
+  const Film whole = render(scene, setup).film;
+  EXPECT_TRUE(whole.splatVarianceOfMean.has_value());
+  for (const auto& [batch, blocks] : {std::pair(1U, 0U), {5U, 0U}, {16U, 3U}}) {
+    setup.batch = batch;
+    setup.tileBlocks = blocks;
+    EXPECT_TRUE(identical(render(scene, setup).film, whole))
+        << "batch " << batch << ", " << blocks << " blocks a tile";
+  }
+}
+
 TEST_F(Identity, TilesChangeNothing) {
   RenderSetup setup = spheresSetup();
   const Scene scene = spheres();

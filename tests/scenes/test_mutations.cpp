@@ -72,6 +72,15 @@ constexpr Watch kWatches[] = {
     {Mutation::CarriedBranchLost, "carriedBranches"},
     {Mutation::CarriedPdfLost, "carriedDensities"},
     {Mutation::CarriedHistoryLost, "carriedHistory"},
+    {Mutation::CausticsTwice, "furnaceFromLights"},
+    {Mutation::AxisCosineDropped, "causticsFromLights"},
+    {Mutation::ShadingAdjointDropped, "leaningMirror"},
+    {Mutation::IndexAdjointDropped, "lightIntoGlass"},
+    {Mutation::IrreversibleJoined, "causticsFromLights"},
+    {Mutation::SplatCarryLost, "causticsFromLights"},
+    {Mutation::RepeatsAlike, "repeatsAverage"},
+    {Mutation::RepeatsNotAveraged, "repeatsAverage"},
+    {Mutation::CarriedRepeatLost, "carriedFromLights"},
 };
 
 std::vector<Check> checksFor(Mutation mutation) {

@@ -14,6 +14,7 @@ constexpr std::uint32_t kGroup = 64; // of display.comp
 constexpr auto kLayout = std::to_array<gpu::BindingLayout>({
     {shared::kDisplayFilm, DescriptorType::eStorageBuffer, shared::kFilmPlanes},
     {shared::kDisplayPixels, DescriptorType::eStorageBuffer},
+    {shared::kDisplaySplats, DescriptorType::eStorageTexelBuffer},
 });
 
 std::uint32_t whole(int x) { return static_cast<std::uint32_t>(x); }
@@ -33,7 +34,11 @@ void FilmPicture::resize(Vec2i size) {
   m_bindings.bind(m_context, shared::kDisplayPixels, m_pixels, DescriptorType::eStorageBuffer);
 }
 
-void FilmPicture::bind(const DeviceFilm& film) { film.bind(m_context, m_bindings, shared::kDisplayFilm); }
+void FilmPicture::bind(const Integrator& integrator) {
+  m_integrator = &integrator;
+  integrator.deviceFilm().bind(m_context, m_bindings, shared::kDisplayFilm);
+  integrator.deviceSplats().bind(m_context, m_bindings, shared::kDisplaySplats);
+}
 
 void FilmPicture::draw(const vk::raii::CommandBuffer& commands, Vec2i filmSize,
                        const DisplaySettings& display, Shows shows) const {
@@ -45,7 +50,9 @@ void FilmPicture::draw(const vk::raii::CommandBuffer& commands, Vec2i filmSize,
                                static_cast<std::uint32_t>(display.tonemap),
                                m_bgr ? 1U : 0U,
                                static_cast<std::uint32_t>(shows),
-                               static_cast<float>(std::exp2(display.exposureStops))};
+                               static_cast<float>(std::exp2(display.exposureStops)),
+                               m_integrator->splatUnits().units,
+                               m_integrator->splatUnits().squareUnits};
   // What the last picture was copied from may be written, and what the film's kernels wrote may be read.
   const vk::MemoryBarrier before(Access::eShaderWrite | Access::eTransferWrite,
                                  Access::eShaderRead | Access::eShaderWrite);

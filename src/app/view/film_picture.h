@@ -3,7 +3,7 @@
 
 #include "core/math.h"
 #include "film/image.h"
-#include "render/device_film.h"
+#include "render/integrator.h"
 
 namespace vkpt {
 
@@ -20,8 +20,8 @@ public:
   /// Of the picture; what it showed is gone. The device must be idle.
   void resize(Vec2i size);
   [[nodiscard]] Vec2i size() const { return m_size; }
-  /// Draws this film from now on. The device must be idle.
-  void bind(const DeviceFilm& film);
+  /// Draws its film from now on. The device must be idle.
+  void bind(const Integrator& integrator);
   /// Records the drawing of the film, stretched over the picture, and makes it ready to be copied from.
   void draw(const vk::raii::CommandBuffer& commands, Vec2i filmSize, const DisplaySettings& display,
             Shows shows) const;
@@ -32,6 +32,7 @@ private:
   gpu::BindingSet m_bindings;
   gpu::ComputePipeline m_pipeline;
   gpu::Buffer m_pixels;
+  const Integrator* m_integrator = nullptr;
   Vec2i m_size{0};
   bool m_bgr;
 };

@@ -33,7 +33,7 @@ Presenter::~Presenter() {
 
 void Presenter::finish() const { m_context.device().waitIdle(); }
 
-void Presenter::bind(const DeviceFilm& film) { m_picture.bind(film); }
+void Presenter::bind(const Integrator& integrator) { m_picture.bind(integrator); }
 
 bool Presenter::makeRoom() {
   const Vec2i size = m_window.surfaceSize();

@@ -16,7 +16,7 @@ public:
   Presenter& operator=(const Presenter&) = delete;
 
   /// The film is another one, or has moved in memory. All that was drawn must be finished.
-  void bind(const DeviceFilm& film);
+  void bind(const Integrator& integrator);
   /// Draws the film of this size and the panel's widgets, which are called in any case. False where the
   /// window had no room: minimised, or busy.
   bool show(Vec2i filmSize, const DisplaySettings& display, Shows shows,

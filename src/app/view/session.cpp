@@ -92,7 +92,7 @@ void Session::begin() {
   const int c = m_facts.coarseness;
   m_facts.filmSize = (m_windowSize + Vec2i(c - 1)) / c;
   m_stage.restart(m_rig.camera(), m_facts.filmSize);
-  m_presenter.bind(m_stage.integrator().deviceFilm());
+  m_presenter.bind(m_stage.integrator());
   m_facts.effects = m_stage.effects().names();
   m_facts.bias = biasOf(m_options.render, m_stage.integrator().settings().estimator);
   m_facts.progress.frames = 0.0;

@@ -1,6 +1,10 @@
 // Effects by effective value: each rule with its near miss.
+#include "core/error.h"
+#include "device/camera_frame.h"
 #include "device/effective_material.h"
 #include "device/effects.h"
+#include "device/light_tracing.h"
+#include "device/packed_scene.h"
 #include "scenes/made_scenes.h"
 
 #include <gtest/gtest.h>
@@ -254,7 +258,90 @@ TEST(EffectReasons, NameTheObjectAndItsLine) {
 }
 
 TEST(Effects, EachIsCalledForBySomething) {
-  EXPECT_EQ(detectEffects(everything(), everyOption()), EffectSet::all());
+  EffectSet allButOne = EffectSet::all();
+  allButOne.set(Effect::LightTracing, false); // some of the others are in its way
+  EXPECT_EQ(detectEffects(everything(), everyOption()), allButOne);
+  EstimatorSettings settings = misSampling();
+  settings.lightTracing = LightTracing::Auto;
+  const Scene scene = roomWith(glass(1.5F));
+  EXPECT_TRUE(detectEffects(scene, settings).has(Effect::LightTracing));
+}
+
+/// Each option and each part of the scene by itself keeps paths from the lights away, some even where they
+/// are asked for.
+TEST(Effects, PathsFromTheLightsNeedCausticsAndSpaceForThem) {
+  struct Obstacle {
+    std::string because;
+    bool impossible;
+    std::function<void(Scene&, EstimatorSettings&)> put;
+  };
+  const std::vector<Obstacle> obstacles{
+      {"--light-tracing off", false,
+       [](Scene&, EstimatorSettings& e) { e.lightTracing = LightTracing::Off; }},
+      {"--light bsdf", true, [](Scene&, EstimatorSettings& e) { e.light = LightStrategy::Bsdf; }},
+      {"--split 2", true, [](Scene&, EstimatorSettings& e) { e.splitDepth = 2; }},
+      {"--output-paths", true, [](Scene&, EstimatorSettings& e) { e.kindImages = true; }},
+      {"a filter other than a box of one pixel", true,
+       [](Scene& s, EstimatorSettings&) { s.filter.shape = PixelFilter::Shape::Tent; }},
+      {"--max-bounces 1: no caustics", false, [](Scene&, EstimatorSettings& e) { e.maxBounces = 1; }},
+      {"--paths without caustics", false,
+       [](Scene&, EstimatorSettings& e) { e.pathKinds = 1U << shared::kKindDirect; }},
+      {"glass that absorbs", true,
+       [](Scene& s, EstimatorSettings&) {
+         for (Material& m : s.materials)
+           m.absorption = Vec3f(m.bsdf == BsdfType::Dielectric ? 1.0F : 0.0F);
+       }},
+      {"no surface is specular", false,
+       [](Scene& s, EstimatorSettings&) {
+         for (Material& m : s.materials)
+           m.bsdf = BsdfType::Diffuse;
+       }},
+      {"no surface scatters other than specularly", false,
+       [](Scene& s, EstimatorSettings&) {
+         for (Material& m : s.materials)
+           m.bsdf = BsdfType::Dielectric;
+       }},
+      {"no triangle emits", false,
+       [](Scene& s, EstimatorSettings&) {
+         for (Material& m : s.materials)
+           m.emission = Vec3f(0.0F);
+       }},
+  };
+  for (const Obstacle& o : obstacles) {
+    Scene scene = roomWith(glass(1.5F));
+    EstimatorSettings settings = misSampling();
+    settings.lightTracing = LightTracing::On;
+    EXPECT_FALSE(lightTracingObstacle(scene, settings)) << o.because;
+    o.put(scene, settings);
+    const auto found = lightTracingObstacle(scene, settings);
+    ASSERT_TRUE(found) << o.because;
+    EXPECT_EQ(found->reason.text(), o.because);
+    EXPECT_EQ(found->impossible, o.impossible) << o.because;
+    const EffectReasons reasons = explainEffects(scene, settings);
+    EXPECT_FALSE(reasons.set.has(Effect::LightTracing));
+    EXPECT_EQ(reasons.of(Effect::LightTracing).because, o.because);
+    const auto constants = [&] { return frameConstants(scene, {}, settings, 8, 8, 0); };
+    if (o.impossible)
+      EXPECT_THROW(constants(), UsageError) << o.because;
+    else
+      EXPECT_EQ(constants().tracesLights, 0U);
+  }
+}
+
+/// At most four, of the surfaces that are specular, together as small as they can be.
+TEST(SpecularBoxes, HoldWhatIsSpecular) {
+  SceneBuilder builder;
+  builder.box({-9, -9, -9}, {9, 9, 9}, Facing::Inward, diffuse(Vec3f(0.5F)));
+  for (int i = 0; i < 6; ++i) {
+    const Vec3d at(i < 3 ? 0.1 * i : 5.0 + i, 0.0, 0.0);
+    builder.box(at, at + Vec3d(0.5), Facing::Outward, mirror(Vec3f(0.1F * static_cast<float>(i + 1))));
+  }
+  const Scene scene = builder.build();
+  EXPECT_EQ(specularBoxes(scene, 6).size(), 6U);
+  const std::vector<Box3d> boxes = specularBoxes(scene, 4);
+  ASSERT_EQ(boxes.size(), 4U);
+  EXPECT_NEAR(glm::length(boxes[0].extent() - Vec3d(0.7, 0.5, 0.5)), 0.0, 1e-6)
+      << "the first three, which overlap";
 }
 
 TEST(EffectReasons, ComeFromTheWalkThatMakesTheSet) {

@@ -1,6 +1,7 @@
 // The device against both host programs: the same paths, but for the few that rounding parts.
 
 #include "scenes/render_fixture.h"
+#include "scenes/statistics.h"
 #include "unit/host/boxes.h"
 #include "unit/host/image_difference.h"
 
@@ -10,16 +11,16 @@ namespace {
 constexpr int kSize = 64;
 constexpr int kFrames = 16;
 
-class DeviceParity : public RenderTest, public testing::WithParamInterface<BoxParity> {
-protected:
-  static void expectParity(const Film& device, const HostRender& host, double partedPerSample) {
-    EXPECT_EQ(host.counters.faults(), 0U);
-    const PartedPaths limit = partedPaths(partedPerSample, kSize * kSize * kFrames);
-    const ImageDifference d = differenceOf(device, host.film);
-    EXPECT_LE(d.pixels, limit.most);
-    EXPECT_LE(d.meanOverSe, limit.meanOverSe);
-  }
-};
+void expectParity(const Film& device, const HostRender& host, double partedPerSample) {
+  EXPECT_EQ(host.counters.faults(), 0U);
+  const PartedPaths limit = partedPaths(partedPerSample, kSize * kSize * kFrames);
+  const ImageDifference d = differenceOf(device, host.film);
+  EXPECT_LE(d.pixels, limit.most);
+  EXPECT_LE(d.meanOverSe, limit.meanOverSe);
+}
+
+class DeviceParity : public RenderTest, public testing::WithParamInterface<BoxParity> {};
+using SplatParity = RenderTest;
 
 TEST_P(DeviceParity, WalksThePathsOfTheHost) {
   const CornellScene box = cornellBox(GetParam().box, kSize, seed());
@@ -34,6 +35,27 @@ TEST_P(DeviceParity, WalksThePathsOfTheHost) {
   };
   expectParity(device, host(renderHost32), GetParam().partedInFloat);
   expectParity(device, host(renderHost64), GetParam().partedInDouble);
+}
+
+/// Paths from the lights as well, and several behind each specular surface. A path that parts may have
+/// brought splats to a few pixels.
+TEST_F(SplatParity, BringsTheSplatsOfTheHost) {
+  CornellScene box = cornellBox("spheres", kSize, seed());
+  box.settings.estimator.lightTracing = LightTracing::On;
+  box.settings.estimator.specularSamples = 2;
+  box.effects = detectEffects(box.scene, box.settings.estimator);
+  const RenderSetup setup{.estimator = box.settings.estimator,
+                          .width = kSize,
+                          .height = kSize,
+                          .frames = kFrames,
+                          .seed = seed()};
+  const Film device = render(box.scene, setup).film;
+  EXPECT_TRUE(device.splatVarianceOfMean.has_value());
+  const double parted = kBoxParities[1].partedInFloat * 8.0;
+  expectParity(device, renderHost32(box.packed, box.scene, box.effects, box.settings, kFrames, 2), parted);
+  const HostRender one = renderHost32(box.packed, box.scene, box.effects, box.settings, kFrames, 1);
+  const HostRender two = renderHost32(box.packed, box.scene, box.effects, box.settings, kFrames, 2);
+  EXPECT_TRUE(identical(one.film, two.film));
 }
 
 INSTANTIATE_TEST_SUITE_P(Boxes, DeviceParity, testing::ValuesIn(kBoxParities),

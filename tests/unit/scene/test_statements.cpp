@@ -35,6 +35,7 @@ TEST(Statements, BlanksCommentsAndByteOrderMarkAreGone) {
 
 TEST(Statements, ContinuedLinesAreJoinedAndCountedOnce) {
   EXPECT_EQ(linesOf("f 1 2 \\\n 3 4\nv 0 0 0\n"), (Lines{"1:f 1 2  3 4", "3:v 0 0 0"}));
+  EXPECT_EQ(linesOf("\\\nv 1 2 3\n\\\n\\\n\\\n# v 4\n"), (Lines{"1:v 1 2 3"}));
 }
 
 TEST(Statements, ZeroBytesAreBlanks) {
@@ -54,7 +55,8 @@ TEST(Numbers, WholeWordsOnly) {
   EXPECT_EQ(parseNumber("1e-999"), 0.0);
   EXPECT_TRUE(std::isinf(parseNumber("1e999").value()));
   EXPECT_TRUE(std::isnan(parseNumber("nan").value()));
-  for (const char* bad : {"", "+", "1,5", "1.0f", "1e", "0x10", "++1", "+-1", "one", "1.#IND"}) {
+  for (const char* bad :
+       {"", "+", "1,5", "1.0f", "1e", "0x10", "++1", "+-1", "one", "1.#IND", "1e-2147483648"}) {
     EXPECT_FALSE(parseNumber(bad)) << bad;
   }
   EXPECT_EQ(parseInteger("-7"), -7);

@@ -1,0 +1,223 @@
+// What a second of one core buys: the error of the default estimator and of parts of it at equal processor
+// time, in turns, against a reference by the plain kernel (light sampling alone, independent samples, paths
+// from the eye). Prints a table and a line of JSON.
+
+#include "scene/load.h"
+#include "study/setting_run.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <ctime>
+
+namespace vkpt::bench {
+namespace {
+
+struct Options {
+  std::vector<std::string> scenes{"cornell", "cornell-spheres"};
+  fs::path folder = ".";
+  int size = 128;
+  double seconds = 2.5; ///< of one core for each render
+  int rounds = 5;
+  double referenceSeconds = 300.0;
+  fs::path makeReference; ///< render the first scene's into this file, end
+};
+
+struct Named {
+  const char* name;
+  EstimatorSettings estimator;
+};
+const std::array<Named, 4> kEstimators{{
+    {"plain", {.light = LightStrategy::Nee}},
+    {"sobol, mis", {.sampler = Sampler::Sobol}},
+    {"and light tracing", {.sampler = Sampler::Sobol, .lightTracing = LightTracing::Auto}},
+    {"and specular samples",
+     {.sampler = Sampler::Sobol, .lightTracing = LightTracing::Auto, .specularSamples = 4}},
+}};
+
+Scene load(const std::string& name, int size) {
+  const fs::path path(name);
+  SceneReport report;
+  Scene scene = loadScene({&path, 1}, report);
+  scene.width = size;
+  scene.height = size;
+  return scene;
+}
+
+StudySetting settingOf(const Scene& scene, const EstimatorSettings& estimator) {
+  StudySetting s;
+  s.estimator = estimator;
+  s.filter = scene.filter;
+  s.effects = detectEffects(scene, estimator);
+  return s;
+}
+
+/// Of all threads of this process: lavapipe's, and the one that waits for it.
+double processorSeconds() {
+  timespec t{};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
+  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
+}
+
+/// The lamp, and two pixels round it, are left out: what its edge does is the reconstruction filter's affair.
+std::vector<bool> mask(const Image& reference) {
+  const int w = reference.width;
+  const int h = reference.height;
+  float brightest = 0.0F;
+  for (std::size_t c = 0; c < 3; ++c)
+    brightest = std::max(brightest, *std::ranges::max_element(reference.channels[c].values));
+  std::vector<bool> kept(reference.pixelCount(), true);
+  for (int y = 0; y < h; ++y)
+    for (int x = 0; x < w; ++x)
+      if (reference.channels[0].values[static_cast<std::size_t>(y * w + x)] > 0.25F * brightest)
+        for (int j = std::max(0, y - 2); j <= std::min(h - 1, y + 2); ++j)
+          for (int i = std::max(0, x - 2); i <= std::min(w - 1, x + 2); ++i)
+            kept[static_cast<std::size_t>(j * w + i)] = false;
+  return kept;
+}
+
+/// Mean squared error over the kept pixels and the channels, the reference's own noise taken off; and that
+/// noise.
+struct Judged {
+  double mse = 0.0;
+  double noise = 0.0;
+};
+Judged judge(const Film& film, const Image& reference, const std::vector<bool>& kept) {
+  Judged j;
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < kept.size(); ++i) {
+    if (!kept[i])
+      continue;
+    ++count;
+    for (std::size_t c = 0; c < 3; ++c) {
+      const double d =
+          film.pixels[i].mean[static_cast<int>(c)] - static_cast<double>(reference.channels[c].values[i]);
+      const double se = static_cast<double>(reference.channels[c + 3].values[i]);
+      j.mse += (d * d - se * se) / 3.0;
+      j.noise += se * se / 3.0;
+    }
+  }
+  j.mse /= static_cast<double>(count);
+  j.noise /= static_cast<double>(count);
+  return j;
+}
+
+double median(std::vector<double> values) {
+  std::ranges::sort(values);
+  return values[values.size() / 2];
+}
+
+void makeReference(const Options& o) {
+  const gpu::Context context;
+  const Scene scene = load(o.scenes.at(0), o.size);
+  SettingRun run(context, scene, settingOf(scene, kEstimators[0].estimator));
+  run.restart(0xFFFFFFFFU);
+  while (!run.finished(std::nullopt, o.referenceSeconds))
+    run.step(std::nullopt, o.referenceSeconds);
+  writeImage(o.makeReference, develop(run.film()), {}, {});
+}
+
+Image referenceOf(const Options& o, const std::string& scene) {
+  const fs::path file = o.folder / fmt::format("reference-{}-{}-{:g}.exr", scene, o.size, o.referenceSeconds);
+  if (!fs::exists(file)) {
+    fmt::print(stderr, "{}: rendering the reference, {:g} s\n", scene, o.referenceSeconds);
+    const std::string command = fmt::format(
+        "env -u LP_NUM_THREADS '{}' --make-reference '{}' --scenes {} --size {} --reference-seconds {}",
+        fs::read_symlink("/proc/self/exe").string(), file.string(), scene, o.size, o.referenceSeconds);
+    if (std::system(command.c_str()) != 0)
+      throw Error(ExitCode::Comparison, "failed: " + command);
+  }
+  return readImage(file);
+}
+
+void runAll(const Options& o) {
+  const gpu::Context context;
+  nlohmann::json json{{"schema", 1}, {"device", context.info().name}, {"size", o.size}};
+  fmt::print("one core of {}, {}x{}, {:g} s of processor time each, medians of {}\n", context.info().name,
+             o.size, o.size, o.seconds, o.rounds);
+  fmt::print("{:<16} {:<22} {:>8} {:>9} {:>10} {:>9} {:>11}\n", "scene", "estimator", "Msamp/s", "RMSE",
+             "of plain", "efficiency", "reference");
+  for (const std::string& name : o.scenes) {
+    const Image reference = referenceOf(o, name);
+    const std::vector<bool> kept = mask(reference);
+    const Scene scene = load(name, o.size);
+    std::vector<std::unique_ptr<SettingRun>> runs;
+    for (const Named& n : kEstimators)
+      runs.push_back(std::make_unique<SettingRun>(context, scene, settingOf(scene, n.estimator)));
+    std::array<std::vector<double>, kEstimators.size()> rmse;
+    std::array<std::vector<double>, kEstimators.size()> efficiency;
+    std::array<std::vector<double>, kEstimators.size()> rate;
+    double noise = 0.0;
+    for (int round = 0; round < o.rounds; ++round) {
+      for (std::size_t i = 0; i < runs.size(); ++i) {
+        runs[i]->restart(static_cast<std::uint32_t>(round));
+        const double start = processorSeconds();
+        double spent = 0.0;
+        // Whole groups of samples; what goes beyond the time is part of the account.
+        while ((spent = processorSeconds() - start) < o.seconds)
+          runs[i]->step(std::nullopt, std::nullopt);
+        const Judged j = judge(runs[i]->film(), reference, kept);
+        noise = j.noise;
+        rmse[i].push_back(std::sqrt(std::max(j.mse, 0.0) * spent / o.seconds)); // as for o.seconds
+        efficiency[i].push_back(1.0 / (std::max(j.mse, 1e-30) * spent));
+        rate[i].push_back(static_cast<double>(runs[i]->frames()) * o.size * o.size / spent * 1e-6);
+      }
+    }
+    for (std::size_t i = 0; i < runs.size(); ++i) {
+      const double ratio = median(rmse[i]) / median(rmse[0]);
+      const double gain = median(efficiency[i]) / median(efficiency[0]);
+      const double own = std::sqrt(noise) / median(rmse[i]);
+      fmt::print("{:<16} {:<22} {:8.3f} {:9.5f} {:10.3f} {:10.2f} {:10.2f}\n", name, kEstimators[i].name,
+                 median(rate[i]), median(rmse[i]), ratio, gain, own);
+      std::fflush(stdout);
+      json["results"].push_back({{"scene", name},
+                                 {"estimator", kEstimators[i].name},
+                                 {"samplesPerSecond", 1e6 * median(rate[i])},
+                                 {"rmse", median(rmse[i])},
+                                 {"ofPlain", ratio},
+                                 {"efficiency", gain},
+                                 {"referenceNoise", own}});
+    }
+  }
+  fmt::print("{}\n", json.dump());
+}
+
+int run(int argc, char** argv) {
+  Options o;
+  CLI::App app("the error that a core second buys; `reference`: its noise over the error that it judges");
+  app.add_option("--scenes", o.scenes, "built-in scenes or files")->delimiter(',');
+  app.add_option("--folder", o.folder, "where references are kept");
+  app.add_option("--size", o.size, "pixels along an edge")->check(CLI::PositiveNumber);
+  app.add_option("--seconds", o.seconds, "of processor time for each render")->check(CLI::PositiveNumber);
+  app.add_option("--rounds", o.rounds, "turns each estimator takes")->check(CLI::PositiveNumber);
+  app.add_option("--reference-seconds", o.referenceSeconds, "of a reference, on all cores")
+      ->check(CLI::PositiveNumber);
+  app.add_option("--make-reference", o.makeReference,
+                 "render the first scene's reference into this file, end");
+  CLI11_PARSE(app, argc, argv);
+  if (!o.makeReference.empty()) {
+    makeReference(o);
+    return 0;
+  }
+  setenv("LP_NUM_THREADS", "1", 1); // before the driver is loaded
+  runAll(o);
+  return 0;
+}
+
+} // namespace
+} // namespace vkpt::bench
+
+int main(int argc, char** argv) {
+  try {
+    return vkpt::bench::run(argc, argv);
+  } catch (const std::exception& e) {
+    fmt::print(stderr, "vkpt-bench-errors: {}\n", e.what());
+    return 1;
+  }
+}
