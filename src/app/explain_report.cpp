@@ -42,8 +42,8 @@ std::string effectTable(const ExplainReport& r) {
   const bool measured = !r.costs.empty();
   const auto row = [measured](std::string_view name, std::string_view state, std::string_view cost,
                               std::string_view bytes, std::string_view because) {
-    return measured ? fmt::format("{:<14} {:<8} {:>16} {:>8}  {}\n", name, state, cost, bytes, because)
-                    : fmt::format("{:<14} {:<8} {:>8}  {}\n", name, state, bytes, because);
+    return measured ? fmt::format("{:<16} {:<8} {:>16} {:>8}  {}\n", name, state, cost, bytes, because)
+                    : fmt::format("{:<16} {:<8} {:>8}  {}\n", name, state, bytes, because);
   };
   std::string text = row("effect", "", "time a ray", "buffers", "because of");
   for (std::size_t i = 0; i < allEffects().size(); ++i) {

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -145,6 +146,29 @@ TEST(NoriFile, SaysWhatHoldsAndOptionsComeFirst) {
            {folder.path(), {}});
   for (const char* expanded : {"--light mis --max-bounces inf", "--filter box"})
     EXPECT_NE(options.err.find(expanded), std::string::npos) << expanded << " is not in\n" << options.err;
+}
+
+/// By default where there are caustics; an error only where it was asked for.
+TEST(LightTracing, IsThereWhereItCanBe) {
+  const WorkFolder folder;
+  const std::vector<std::string> common{"--size", "16x16", "--frames", "4"};
+  const auto traces = [&](std::vector<std::string> arguments) {
+    arguments.insert(arguments.end(), common.begin(), common.end());
+    const auto effects = statsOf(folder, arguments)["effects"];
+    return std::ranges::find(effects, "lightTracing") != effects.end();
+  };
+  EXPECT_TRUE(traces({"cornell-spheres"}));
+  EXPECT_TRUE(traces({"cornell-spheres", "--light-tracing", "on"}));
+  EXPECT_FALSE(traces({"cornell-spheres", "--light-tracing", "off"}));
+  EXPECT_FALSE(traces({"cornell"}));
+  EXPECT_FALSE(traces({"cornell", "--light-tracing", "on"})) << "no caustics, no error";
+  EXPECT_FALSE(traces({"cornell-spheres", "--split", "2"}));
+  EXPECT_FALSE(traces({"cornell-spheres", "--output-paths", "kind"}));
+  const CommandResult r = vkpt(
+      {"cornell-spheres", "--light-tracing", "on", "--split", "2", "-o", "refused.png"}, {folder.path(), {}});
+  EXPECT_EQ(r.exitCode, 1);
+  EXPECT_NE(r.err.find("--light-tracing on can't go together with --split 2"), std::string::npos) << r.err;
+  EXPECT_FALSE(fs::exists(folder / "refused.png"));
 }
 
 TEST(Environment, LightsTheSceneAndIsSeen) {

@@ -12,7 +12,8 @@ import json, sys
 for entry in json.load(open(sys.argv[1])):
     print(entry['file'], entry['command'].replace(' -o ', ' -fsyntax-only -o ', 1), sep='\t')
 PYTHON
-grep -F "$source_dir/" "$world/all" | sort -u -t $'\t' -k 1,1 >"$world/ours" # what the build makes is not there yet
+awk -F '\t' -v ours="$source_dir/" 'index($1, ours) == 1' "$world/all" | sort -u -t $'\t' -k 1,1 >"$world/ours" # what
+# the build makes is not there yet
 if [[ $base ]]; then
   git diff --name-only "$base" | sed "s|^|$source_dir/|" >"$world/changed"
   grep -Ff "$world/changed" "$world/ours" >"$world/some" && mv "$world/some" "$world/ours"

@@ -121,6 +121,13 @@ void drawEstimator(ViewSettings& settings) {
   int split = static_cast<int>(e.splitDepth);
   if (ImGui::InputInt("splitting", &split))
     e.splitDepth = static_cast<std::uint32_t>(std::clamp(split, 0, static_cast<int>(shared::kMaxSplitDepth)));
+  bool fromLights = e.lightTracing != LightTracing::Off;
+  if (ImGui::Checkbox("paths from lights", &fromLights))
+    e.lightTracing = fromLights ? LightTracing::Auto : LightTracing::Off;
+  int paths = static_cast<int>(e.specularSamples);
+  if (ImGui::InputInt("specular samples", &paths))
+    e.specularSamples =
+        static_cast<std::uint32_t>(std::clamp(paths, 1, static_cast<int>(shared::kMaxSpecularSamples)));
   drawKinds(e);
 }
 

@@ -15,6 +15,8 @@ EstimatorSettings ViewSettings::rendered() const {
   EstimatorSettings e = estimator;
   if (shader == Shader::DirectLight)
     e.maxBounces = std::min(e.maxBounces, 1U);
+  if (e.lightTracing == LightTracing::On)
+    e.lightTracing = LightTracing::Auto; // what the panel sets must not become an error
   return e;
 }
 
