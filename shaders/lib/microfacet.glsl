@@ -169,5 +169,6 @@ BsdfSample facetSample(Facet facet, Float alpha, bool beckmann, Vec3 wi, Float s
       Vec3(zi * facet.masking / smithBoth(facet.wo.z, facet.masking, zi, smithTerm(alpha, beckmann, zi)));
   s.pdf_w = facet.density * spread / facet.masking;
   s.specular = false;
+  s.reversible = true;
   return s;
 }
