@@ -48,6 +48,8 @@ std::uint32_t deadHistories(std::uint32_t pathKinds) {
 /// `typical`. Sums may be 2^40 of these, those of squares 2^48 of its square; what is rounded is 2^-24 and
 /// 2^-16 of them.
 void setSplatUnits(shared::FrameConstants& constants, const Scene& scene) {
+  if (constants.tracesLights == 0)
+    return; // no walk over the scene whenever the camera moves
   Box3d box;
   for (const Vec3f& p : scene.positions)
     box.extend(Vec3d(p) + scene.origin);

@@ -2,6 +2,7 @@
 // time, in turns, against a reference by the plain kernel (light sampling alone, independent samples, paths
 // from the eye). Prints a table and a line of JSON.
 
+#include "measurements.h"
 #include "scene/load.h"
 #include "study/setting_run.h"
 
@@ -15,6 +16,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
+#include <memory>
 
 namespace vkpt::bench {
 namespace {
@@ -106,11 +108,6 @@ Judged judge(const Film& film, const Image& reference, const std::vector<bool>& 
   j.mse /= static_cast<double>(count);
   j.noise /= static_cast<double>(count);
   return j;
-}
-
-double median(std::vector<double> values) {
-  std::ranges::sort(values);
-  return values[values.size() / 2];
 }
 
 void makeReference(const Options& o) {
