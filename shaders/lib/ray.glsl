@@ -21,6 +21,12 @@ struct Hit {
 #include "naive.glsl"
 #endif
 
+// Of a component of a direction, turned aside by so much. Never infinite: 0 * infinity would be NaN for an origin in the plane.
+Float inverseOf(Float x, Float aside) {
+  Float size = max(abs(x) + MUTATE(BoxesMissedAside, aside, 0.0), 1e-30);
+  return 1.0 / MUTATE(InfiniteInverse, x < 0.0 ? -size : size, x);
+}
+
 // How far rounding may have moved a point interpolated on a triangle, and a triangle's plane as a later ray sees
 // it, along each axis: a few ulp of the corners' largest coordinate (Pharr, Jakob, Humphreys, PBRT 4th ed., 6.8.5:
 // 7 ulp for the interpolation; the rest covers the translation and projection of the next intersection, which mixes

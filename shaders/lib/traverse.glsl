@@ -23,12 +23,6 @@ struct SlabRay {
 // projection, 4 ulp of the way.)
 CONSTANT Float kAside = 8.0 * kEpsilon;
 
-// Never infinite: 0 * infinity would be NaN for an origin in the plane.
-Float inverseOf(Float x, Float aside) {
-  Float size = max(abs(x) + MUTATE(BoxesMissedAside, aside, 0.0), 1e-30);
-  return 1.0 / MUTATE(InfiniteInverse, x < 0.0 ? -size : size, x);
-}
-
 SlabRay makeSlabRay(Vec3 d) {
   SlabRay s;
   s.nearInverse = Vec3(inverseOf(d.x, kAside), inverseOf(d.y, kAside), inverseOf(d.z, kAside));
