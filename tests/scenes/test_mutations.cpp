@@ -81,6 +81,9 @@ constexpr Watch kWatches[] = {
     {Mutation::RepeatsAlike, "repeatsAverage"},
     {Mutation::RepeatsNotAveraged, "repeatsAverage"},
     {Mutation::CarriedRepeatLost, "carriedFromLights"},
+    {Mutation::TreeShareDropped, "treeFindsTheNearLamp"},
+    {Mutation::TreeWeighedByPower, "glowByTree"},
+    {Mutation::CarriedVertexLost, "carriedByTree"},
 };
 
 std::vector<Check> checksFor(Mutation mutation) {
