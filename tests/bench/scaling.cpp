@@ -6,15 +6,14 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
 #include <cstdio>
 
 namespace vkpt::bench {
 namespace {
 
-constexpr std::uint32_t kSmallest = 1'000;
-constexpr std::uint32_t kLargest = 1'000'000;
-constexpr double kGrowth = 3.981071705534973; // ten times in 5/3 steps: 1 k, 4 k, 16 k, 63 k, 251 k, 1 M
+constexpr std::array<std::uint32_t, 6> kTriangles{1'000, 4'000, 16'000, 64'000, 256'000, 1'000'000};
 
 /// By the clock: threads that work at once are what it is about.
 double buildSeconds(const Scene& scene, unsigned threads, int rounds) {
@@ -57,8 +56,8 @@ nlohmann::json measureScaling(const gpu::Context& context, const Turns& turns, i
   nlohmann::json rows = nlohmann::json::array();
   std::vector<double> logarithms;
   std::vector<double> times;
-  for (double wanted = kSmallest; wanted < 1.1 * kLargest; wanted *= kGrowth) {
-    SceneBench scene(context, "ball", boxWithBall(static_cast<std::uint32_t>(std::lround(wanted)), size));
+  for (const std::uint32_t wanted : kTriangles) {
+    SceneBench scene(context, "ball", boxWithBall(wanted, size));
     const Comparison paths = racePaths(turns, scene);
     Comparison bounces{};
     for (const auto& rays : scene.rayBenches()) {
