@@ -126,6 +126,61 @@ Image referenceOf(const Options& o, const std::string& scene) {
   return readImage(file);
 }
 
+/// One estimator on one scene: a figure a round.
+struct Entry {
+  const char* name;
+  std::unique_ptr<SettingRun> run;
+  std::vector<double> rmse, efficiency, rate;
+};
+
+/// Those that walk other paths than the one before: without caustics nothing is traced from the lights.
+std::vector<Entry> entriesFor(const gpu::Context& context, const Scene& scene) {
+  std::vector<Entry> entries;
+  EffectSet before;
+  for (const Named& n : kEstimators) {
+    const StudySetting setting = settingOf(scene, n.estimator);
+    if (setting.effects == before)
+      continue;
+    before = setting.effects;
+    entries.push_back({n.name, std::make_unique<SettingRun>(context, scene, setting), {}, {}, {}});
+  }
+  return entries;
+}
+
+/// Returns the reference's own noise.
+double takeTurn(const Options& o, Entry& e, std::uint32_t round, const Image& reference,
+                const std::vector<bool>& kept) {
+  e.run->restart(round);
+  const double start = processorSeconds();
+  double spent = 0.0;
+  // Whole groups of samples; what goes beyond the time is part of the account.
+  while ((spent = processorSeconds() - start) < o.seconds)
+    e.run->step(std::nullopt, std::nullopt);
+  const Judged j = judge(e.run->film(), reference, kept);
+  e.rmse.push_back(std::sqrt(std::max(j.mse, 0.0) * spent / o.seconds)); // as for o.seconds
+  e.efficiency.push_back(1.0 / (std::max(j.mse, 1e-30) * spent));
+  e.rate.push_back(static_cast<double>(e.run->frames()) * o.size * o.size / spent * 1e-6);
+  return j.noise;
+}
+
+void report(const std::string& scene, const Entry& e, const Entry& plain, double noise,
+            nlohmann::json& json) {
+  const double ratio = median(e.rmse) / median(plain.rmse);
+  const double gain = median(e.efficiency) / median(plain.efficiency);
+  const double own = std::sqrt(noise) / median(e.rmse);
+  fmt::print("{:<16} {:<22} {:8.3f} {:9.5f} {:10.3f} {:10.1f} {:10.2f} {:10.2f}\n", scene, e.name,
+             median(e.rate), median(e.rmse), ratio, median(e.efficiency), gain, own);
+  std::fflush(stdout);
+  json["results"].push_back({{"scene", scene},
+                             {"estimator", e.name},
+                             {"samplesPerSecond", 1e6 * median(e.rate)},
+                             {"rmse", median(e.rmse)},
+                             {"ofPlain", ratio},
+                             {"efficiency", median(e.efficiency)},
+                             {"overPlain", gain},
+                             {"referenceNoise", own}});
+}
+
 void runAll(const Options& o) {
   const gpu::Context context;
   nlohmann::json json{{"schema", 2},
@@ -141,45 +196,13 @@ void runAll(const Options& o) {
     const Image reference = referenceOf(o, name);
     const std::vector<bool> kept = mask(reference);
     const Scene scene = loadByName(name, o.size, o.mesh);
-    std::vector<std::unique_ptr<SettingRun>> runs;
-    for (const Named& n : kEstimators)
-      runs.push_back(std::make_unique<SettingRun>(context, scene, settingOf(scene, n.estimator)));
-    std::array<std::vector<double>, kEstimators.size()> rmse;
-    std::array<std::vector<double>, kEstimators.size()> efficiency;
-    std::array<std::vector<double>, kEstimators.size()> rate;
+    std::vector<Entry> entries = entriesFor(context, scene);
     double noise = 0.0;
-    for (int round = 0; round < o.rounds; ++round) {
-      for (std::size_t i = 0; i < runs.size(); ++i) {
-        runs[i]->restart(static_cast<std::uint32_t>(round));
-        const double start = processorSeconds();
-        double spent = 0.0;
-        // Whole groups of samples; what goes beyond the time is part of the account.
-        while ((spent = processorSeconds() - start) < o.seconds)
-          runs[i]->step(std::nullopt, std::nullopt);
-        const Judged j = judge(runs[i]->film(), reference, kept);
-        noise = j.noise;
-        rmse[i].push_back(std::sqrt(std::max(j.mse, 0.0) * spent / o.seconds)); // as for o.seconds
-        efficiency[i].push_back(1.0 / (std::max(j.mse, 1e-30) * spent));
-        rate[i].push_back(static_cast<double>(runs[i]->frames()) * o.size * o.size / spent * 1e-6);
-      }
-    }
-    for (std::size_t i = 0; i < runs.size(); ++i) {
-      const double ratio = median(rmse[i]) / median(rmse[0]);
-      const double gain = median(efficiency[i]) / median(efficiency[0]);
-      const double own = std::sqrt(noise) / median(rmse[i]);
-      fmt::print("{:<16} {:<22} {:8.3f} {:9.5f} {:10.3f} {:10.1f} {:10.2f} {:10.2f}\n", name,
-                 kEstimators[i].name, median(rate[i]), median(rmse[i]), ratio, median(efficiency[i]), gain,
-                 own);
-      std::fflush(stdout);
-      json["results"].push_back({{"scene", name},
-                                 {"estimator", kEstimators[i].name},
-                                 {"samplesPerSecond", 1e6 * median(rate[i])},
-                                 {"rmse", median(rmse[i])},
-                                 {"ofPlain", ratio},
-                                 {"efficiency", median(efficiency[i])},
-                                 {"overPlain", gain},
-                                 {"referenceNoise", own}});
-    }
+    for (int round = 0; round < o.rounds; ++round)
+      for (Entry& e : entries)
+        noise = takeTurn(o, e, static_cast<std::uint32_t>(round), reference, kept);
+    for (const Entry& e : entries)
+      report(name, e, entries.front(), noise, json);
   }
   fmt::print("{}\n", json.dump());
 }

@@ -51,6 +51,8 @@ public:
                                  {"vkpt", c.ours},
                                  {"yardstick", c.yardstick},
                                  {"ratio", c.ratio},
+                                 {"vkptCpu", c.oursCore},
+                                 {"yardstickCpu", c.yardstickCore},
                                  {"cpuRatio", c.coreRatio},
                                  {"lowest", c.lowest},
                                  {"disagreement", c.disagreement}});

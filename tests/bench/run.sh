@@ -27,7 +27,7 @@ if [[ $program != vkpt-bench-effects ]] && [[ " $*" != *' --sc'* || $* == *mesh*
   fi
 fi
 if [[ $program == vkpt-bench-errors ]]; then
-  arguments+=(--folder "$root/build-bench") # references take minutes: they are kept
+  [[ " $* " == *' --folder '* ]] || arguments+=(--folder "$root/build-bench") # references take minutes: they are kept
 fi
 unlockBuild
 exec "$root/build-bench/$program" "${arguments[@]}" "$@"
