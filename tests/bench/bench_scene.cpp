@@ -11,14 +11,6 @@
 namespace vkpt::bench {
 namespace {
 
-Scene load(const SceneChoice& choice, int size) {
-  SceneReport report;
-  Scene scene = loadScene(choice.files, report);
-  scene.width = size;
-  scene.height = size;
-  return scene;
-}
-
 float largestCoordinate(const Scene& scene) {
   float largest = 0.0F;
   for (const Vec3f& p : scene.positions)
@@ -28,12 +20,13 @@ float largestCoordinate(const Scene& scene) {
 
 } // namespace
 
-DeviceBench::DeviceBench(const gpu::Context& context, const SceneChoice& choice, int size)
-    : m_context(context), m_name(choice.name), m_scene(load(choice, size)), m_settings{{}, size, size, 0},
+DeviceBench::DeviceBench(const gpu::Context& context, std::string name, Scene scene)
+    : m_context(context), m_name(std::move(name)),
+      m_scene(std::move(scene)), m_settings{{}, m_scene.width, m_scene.height, 0},
       m_effects(detectEffects(m_scene, m_settings.estimator)),
       m_packed(packScene(m_scene, m_settings.estimator)), m_deviceScene(uploadScene(context, m_packed)),
       m_integrator(context, m_deviceScene, m_scene, m_effects,
-                   {m_settings.estimator, size, size, m_settings.seed, {}, {}}) {
+                   {m_settings.estimator, m_scene.width, m_scene.height, m_settings.seed, {}, {}}) {
   m_integrator.warmUp();
 }
 
@@ -50,8 +43,8 @@ double DeviceBench::render(std::uint64_t frames) {
   return renderUntil(m_integrator, m_film, job, observer).seconds;
 }
 
-SceneBench::SceneBench(const gpu::Context& context, const SceneChoice& choice, int size)
-    : DeviceBench(context, choice, size), m_embree(m_packed) {
+SceneBench::SceneBench(const gpu::Context& context, std::string sceneName, Scene scene)
+    : DeviceBench(context, std::move(sceneName), std::move(scene)), m_embree(m_packed) {
   RaySet set = recordRays(m_packed, m_embree, m_scene, m_effects, m_settings);
   const auto add = [&](const char* name, bool shadow, std::vector<RecordedRay>& rays) {
     m_rays.push_back(std::make_unique<RayBench>(context, m_deviceScene, name, shadow, std::move(rays),

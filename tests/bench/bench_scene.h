@@ -4,20 +4,15 @@
 #include "embree_scene.h"
 #include "host/reference.h"
 #include "render/render_loop.h"
-#include "scene/load.h"
+#include "scene/scene.h"
 #include "trace_probe.h"
 
 namespace vkpt::bench {
 
-struct SceneChoice {
-  std::string name;
-  std::vector<fs::path> files;
-};
-
 /// vkpt's side.
 class DeviceBench {
 public:
-  DeviceBench(const gpu::Context& context, const SceneChoice& choice, int size);
+  DeviceBench(const gpu::Context& context, std::string name, Scene scene);
 
   [[nodiscard]] std::uint64_t samplesPerRun(std::uint64_t frames) const;
   /// `frames` samples for every pixel. Returns the seconds of rendering.
@@ -39,10 +34,10 @@ protected:
 /// Both sides.
 class SceneBench : public DeviceBench {
 public:
-  SceneBench(const gpu::Context& context, const SceneChoice& choice, int size);
+  SceneBench(const gpu::Context& context, std::string sceneName, Scene scene);
 
   [[nodiscard]] const std::string& name() const { return m_name; }
-  [[nodiscard]] std::size_t triangles() const { return m_scene.triangles.size(); }
+  [[nodiscard]] const Scene& scene() const { return m_scene; }
   [[nodiscard]] const EmbreeScene& embree() const { return m_embree; }
 
   void renderYardstick(std::uint64_t frames);

@@ -148,7 +148,7 @@ int run(int argc, char** argv) {
   setenv("LP_NUM_THREADS", "1", 1); // before the driver is loaded
   setenv("MESA_SHADER_CACHE_DISABLE", "true", 1);
   const gpu::Context context;
-  nlohmann::json json{{"schema", 1}, {"device", context.info().name}};
+  nlohmann::json json{{"schema", 2}, {"benchmark", "effects"}, {"device", context.info().name}};
   fmt::print("one core of {}; million samples a second, medians of {}; ratio: without over with\n",
              context.info().name, o.rounds);
   fmt::print("{:<16} {:<14} {:>8} {:>8} {:>7} {:>9} {:>17}\n", "scene", "with", "without", "with", "ratio",

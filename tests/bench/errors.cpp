@@ -3,7 +3,7 @@
 // from the eye). Prints a table and a line of JSON.
 
 #include "measurements.h"
-#include "scene/load.h"
+#include "scene_choice.h"
 #include "study/setting_run.h"
 
 #include <CLI/CLI.hpp>
@@ -22,7 +22,8 @@ namespace vkpt::bench {
 namespace {
 
 struct Options {
-  std::vector<std::string> scenes{"cornell", "cornell-spheres"};
+  std::vector<std::string> scenes{"blocks", "spheres", "busts", "million", "lights"};
+  fs::path mesh;
   fs::path folder = ".";
   int size = 128;
   double seconds = 2.5; ///< of one core for each render
@@ -42,15 +43,6 @@ const std::array<Named, 4> kEstimators{{
     {"and specular samples",
      {.sampler = Sampler::Sobol, .lightTracing = LightTracing::Auto, .specularSamples = 4}},
 }};
-
-Scene load(const std::string& name, int size) {
-  const fs::path path(name);
-  SceneReport report;
-  Scene scene = loadScene({&path, 1}, report);
-  scene.width = size;
-  scene.height = size;
-  return scene;
-}
 
 StudySetting settingOf(const Scene& scene, const EstimatorSettings& estimator) {
   StudySetting s;
@@ -112,7 +104,7 @@ Judged judge(const Film& film, const Image& reference, const std::vector<bool>& 
 
 void makeReference(const Options& o) {
   const gpu::Context context;
-  const Scene scene = load(o.scenes.at(0), o.size);
+  const Scene scene = loadByName(o.scenes.at(0), o.size, o.mesh);
   SettingRun run(context, scene, settingOf(scene, kEstimators[0].estimator));
   run.restart(0xFFFFFFFFU);
   while (!run.finished(std::nullopt, o.referenceSeconds))
@@ -124,63 +116,93 @@ Image referenceOf(const Options& o, const std::string& scene) {
   const fs::path file = o.folder / fmt::format("reference-{}-{}-{:g}.exr", scene, o.size, o.referenceSeconds);
   if (!fs::exists(file)) {
     fmt::print(stderr, "{}: rendering the reference, {:g} s\n", scene, o.referenceSeconds);
-    const std::string command = fmt::format(
-        "env -u LP_NUM_THREADS '{}' --make-reference '{}' --scenes {} --size {} --reference-seconds {}",
-        fs::read_symlink("/proc/self/exe").string(), file.string(), scene, o.size, o.referenceSeconds);
+    const std::string command = fmt::format("env -u LP_NUM_THREADS '{}' --make-reference '{}' --scenes '{}' "
+                                            "--mesh '{}' --size {} --reference-seconds {}",
+                                            fs::read_symlink("/proc/self/exe").string(), file.string(), scene,
+                                            o.mesh.string(), o.size, o.referenceSeconds);
     if (std::system(command.c_str()) != 0)
       throw Error(ExitCode::Comparison, "failed: " + command);
   }
   return readImage(file);
 }
 
+/// One estimator on one scene: a figure a round.
+struct Entry {
+  const char* name;
+  std::unique_ptr<SettingRun> run;
+  std::vector<double> rmse, efficiency, rate;
+};
+
+/// Those that walk other paths than the one before: without caustics nothing is traced from the lights.
+std::vector<Entry> entriesFor(const gpu::Context& context, const Scene& scene) {
+  std::vector<Entry> entries;
+  EffectSet before;
+  for (const Named& n : kEstimators) {
+    const StudySetting setting = settingOf(scene, n.estimator);
+    if (setting.effects == before)
+      continue;
+    before = setting.effects;
+    entries.push_back({n.name, std::make_unique<SettingRun>(context, scene, setting), {}, {}, {}});
+  }
+  return entries;
+}
+
+/// Returns the reference's own noise.
+double takeTurn(const Options& o, Entry& e, std::uint32_t round, const Image& reference,
+                const std::vector<bool>& kept) {
+  e.run->restart(round);
+  const double start = processorSeconds();
+  double spent = 0.0;
+  // Whole groups of samples; what goes beyond the time is part of the account.
+  while ((spent = processorSeconds() - start) < o.seconds)
+    e.run->step(std::nullopt, std::nullopt);
+  const Judged j = judge(e.run->film(), reference, kept);
+  e.rmse.push_back(std::sqrt(std::max(j.mse, 0.0) * spent / o.seconds)); // as for o.seconds
+  e.efficiency.push_back(1.0 / (std::max(j.mse, 1e-30) * spent));
+  e.rate.push_back(static_cast<double>(e.run->frames()) * o.size * o.size / spent * 1e-6);
+  return j.noise;
+}
+
+void report(const std::string& scene, const Entry& e, const Entry& plain, double noise,
+            nlohmann::json& json) {
+  const double ratio = median(e.rmse) / median(plain.rmse);
+  const double gain = median(e.efficiency) / median(plain.efficiency);
+  const double own = std::sqrt(noise) / median(e.rmse);
+  fmt::print("{:<16} {:<22} {:8.3f} {:9.5f} {:10.3f} {:10.1f} {:10.2f} {:10.2f}\n", scene, e.name,
+             median(e.rate), median(e.rmse), ratio, median(e.efficiency), gain, own);
+  std::fflush(stdout);
+  json["results"].push_back({{"scene", scene},
+                             {"estimator", e.name},
+                             {"samplesPerSecond", 1e6 * median(e.rate)},
+                             {"rmse", median(e.rmse)},
+                             {"ofPlain", ratio},
+                             {"efficiency", median(e.efficiency)},
+                             {"overPlain", gain},
+                             {"referenceNoise", own}});
+}
+
 void runAll(const Options& o) {
   const gpu::Context context;
-  nlohmann::json json{{"schema", 1}, {"device", context.info().name}, {"size", o.size}};
+  nlohmann::json json{{"schema", 2},
+                      {"benchmark", "errors"},
+                      {"device", context.info().name},
+                      {"size", o.size},
+                      {"seconds", o.seconds}};
   fmt::print("one core of {}, {}x{}, {:g} s of processor time each, medians of {}\n", context.info().name,
              o.size, o.size, o.seconds, o.rounds);
-  fmt::print("{:<16} {:<22} {:>8} {:>9} {:>10} {:>9} {:>11}\n", "scene", "estimator", "Msamp/s", "RMSE",
-             "of plain", "efficiency", "reference");
+  fmt::print("{:<16} {:<22} {:>8} {:>9} {:>10} {:>10} {:>10} {:>10}\n", "scene", "estimator", "Msamp/s",
+             "RMSE", "of plain", "efficiency", "over plain", "reference");
   for (const std::string& name : o.scenes) {
     const Image reference = referenceOf(o, name);
     const std::vector<bool> kept = mask(reference);
-    const Scene scene = load(name, o.size);
-    std::vector<std::unique_ptr<SettingRun>> runs;
-    for (const Named& n : kEstimators)
-      runs.push_back(std::make_unique<SettingRun>(context, scene, settingOf(scene, n.estimator)));
-    std::array<std::vector<double>, kEstimators.size()> rmse;
-    std::array<std::vector<double>, kEstimators.size()> efficiency;
-    std::array<std::vector<double>, kEstimators.size()> rate;
+    const Scene scene = loadByName(name, o.size, o.mesh);
+    std::vector<Entry> entries = entriesFor(context, scene);
     double noise = 0.0;
-    for (int round = 0; round < o.rounds; ++round) {
-      for (std::size_t i = 0; i < runs.size(); ++i) {
-        runs[i]->restart(static_cast<std::uint32_t>(round));
-        const double start = processorSeconds();
-        double spent = 0.0;
-        // Whole groups of samples; what goes beyond the time is part of the account.
-        while ((spent = processorSeconds() - start) < o.seconds)
-          runs[i]->step(std::nullopt, std::nullopt);
-        const Judged j = judge(runs[i]->film(), reference, kept);
-        noise = j.noise;
-        rmse[i].push_back(std::sqrt(std::max(j.mse, 0.0) * spent / o.seconds)); // as for o.seconds
-        efficiency[i].push_back(1.0 / (std::max(j.mse, 1e-30) * spent));
-        rate[i].push_back(static_cast<double>(runs[i]->frames()) * o.size * o.size / spent * 1e-6);
-      }
-    }
-    for (std::size_t i = 0; i < runs.size(); ++i) {
-      const double ratio = median(rmse[i]) / median(rmse[0]);
-      const double gain = median(efficiency[i]) / median(efficiency[0]);
-      const double own = std::sqrt(noise) / median(rmse[i]);
-      fmt::print("{:<16} {:<22} {:8.3f} {:9.5f} {:10.3f} {:10.2f} {:10.2f}\n", name, kEstimators[i].name,
-                 median(rate[i]), median(rmse[i]), ratio, gain, own);
-      std::fflush(stdout);
-      json["results"].push_back({{"scene", name},
-                                 {"estimator", kEstimators[i].name},
-                                 {"samplesPerSecond", 1e6 * median(rate[i])},
-                                 {"rmse", median(rmse[i])},
-                                 {"ofPlain", ratio},
-                                 {"efficiency", gain},
-                                 {"referenceNoise", own}});
-    }
+    for (int round = 0; round < o.rounds; ++round)
+      for (Entry& e : entries)
+        noise = takeTurn(o, e, static_cast<std::uint32_t>(round), reference, kept);
+    for (const Entry& e : entries)
+      report(name, e, entries.front(), noise, json);
   }
   fmt::print("{}\n", json.dump());
 }
@@ -188,7 +210,8 @@ void runAll(const Options& o) {
 int run(int argc, char** argv) {
   Options o;
   CLI::App app("the error that a core second buys; `reference`: its noise over the error that it judges");
-  app.add_option("--scenes", o.scenes, "built-in scenes or files")->delimiter(',');
+  app.add_option("--scenes", o.scenes, kSceneNames)->delimiter(',');
+  app.add_option("--mesh", o.mesh, "OBJ file that stands in the box; adds the scene `mesh`");
   app.add_option("--folder", o.folder, "where references are kept");
   app.add_option("--size", o.size, "pixels along an edge")->check(CLI::PositiveNumber);
   app.add_option("--seconds", o.seconds, "of processor time for each render")->check(CLI::PositiveNumber);
@@ -198,6 +221,8 @@ int run(int argc, char** argv) {
   app.add_option("--make-reference", o.makeReference,
                  "render the first scene's reference into this file, end");
   CLI11_PARSE(app, argc, argv);
+  if (!o.mesh.empty() && app.count("--scenes") == 0)
+    o.scenes.insert(o.scenes.begin() + 3, "mesh");
   if (!o.makeReference.empty()) {
     makeReference(o);
     return 0;

@@ -37,6 +37,8 @@ Comparison compare(const Rates& ours, const Rates& yardstick) {
           .yardstick = median(yardstick.wall),
           .ratio = median(wall),
           .coreRatio = median(ratios(ours.core, yardstick.core)),
+          .oursCore = median(ours.core),
+          .yardstickCore = median(yardstick.core),
           .lowest = *std::ranges::min_element(wall),
           .disagreement = 0.0};
 }

@@ -36,6 +36,8 @@ struct Comparison {
   double yardstick;
   double ratio; ///< median of the rounds' ratios
   double coreRatio;
+  double oursCore; ///< as `ours`, by the time on the processor
+  double yardstickCore;
   double lowest;       ///< of the rounds' ratios
   double disagreement; ///< share of rays with another result; 0 for paths
 };
