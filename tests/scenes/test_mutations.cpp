@@ -39,7 +39,7 @@ constexpr Watch kWatches[] = {
     {Mutation::OffsetInward, "litFloorByNee"},
     {Mutation::RouletteCapped, "m3-roulette-by-channel"},
     {Mutation::LightBlockReused, "lightAndBsdfIndependent"},
-    {Mutation::NextLightBlockReused, "twoBouncesByNee"},
+    {Mutation::NextLightBlockReused, "rouletteAndNextLightIndependent"},
     {Mutation::SampleIgnored, "samplesDiffer"},
     {Mutation::BounceLimitOffByOne, "furnaceByBounces"},
     {Mutation::BackgroundTwice, "backgroundOnly"},
