@@ -165,7 +165,7 @@ void lightAndBsdfIndependent(Trial& t) {
 /// that whatever a path forgets on the way shows at once (light sampling's variance is infinite here; bits
 /// don't mind).
 void carriedPaths(Trial& t) {
-  const Scene scene = furnace(Vec3f(0.999F));
+  const Scene scene = furnace({0.999F, 0.9F, 0.5F}); // where all are alike, survivors are worth 1
   t.expectSameWhenCarried(scene, {.estimator = lightSampling(), .width = 8, .height = 8, .frames = 16});
 }
 
