@@ -9,6 +9,7 @@ layout(constant_id = 65) const uint kRouletteMode = 1u; // kConstantRouletteMode
 layout(constant_id = 66) const uint kFilterShape = 0u; // kConstantFilterShape
 layout(constant_id = 68) const uint kSampler = kSamplerIndependent; // kConstantSampler
 layout(constant_id = 69) const bool kFromLight = false; // kConstantFromLight
+layout(constant_id = 70) const bool kByLightTree = false; // kConstantByLightTree
 
 layout(set = 0, binding = kBindingFrame, std140) uniform FrameBlock { FrameConstants frame; };
 
@@ -17,6 +18,7 @@ layout(set = 0, binding = kBindingTriangles, rgba32ui) uniform readonly restrict
 layout(set = 0, binding = kBindingNormals, rgba32ui) uniform readonly restrict uimageBuffer normalTexels;
 layout(set = 0, binding = kBindingMaterials, rgba32ui) uniform readonly restrict uimageBuffer materialTexels;
 layout(set = 0, binding = kBindingLights, rgba32ui) uniform readonly restrict uimageBuffer lightTexels;
+layout(set = 0, binding = kBindingLightNodes, rgba32ui) uniform readonly restrict uimageBuffer lightNodeTexels;
 layout(set = 0, binding = kBindingUvs, rgba32ui) uniform readonly restrict uimageBuffer uvTexels;
 layout(set = 0, binding = kBindingTextures, rgba32ui) uniform readonly restrict uimageBuffer textureTexels;
 layout(set = 0, binding = kBindingEnvironment, rgba32ui) uniform readonly restrict uimageBuffer environmentTexels;
@@ -36,6 +38,7 @@ TriangleRecord triangleRecord(uint i) {
   r.v2 = uintBitsToFloat(c.xyz);
   r.material = a.w;
   r.id = b.w;
+  r.lightLeaf = c.w;
   return r;
 }
 vec3 triangleNormal(uint i, uint corner) {
@@ -107,6 +110,20 @@ LightRecord lightRecord(uint i) {
   return r;
 }
 
+LightNode lightNode(uint i) {
+  uvec4 a = imageLoad(lightNodeTexels, int(i * kTexelsPerLightNode));
+  uvec4 b = imageLoad(lightNodeTexels, int(i * kTexelsPerLightNode + 1u));
+  LightNode n;
+  n.centre = uintBitsToFloat(a.xyz);
+  n.radius = uintBitsToFloat(a.w);
+  n.axis = lightAxis(b.x);
+  n.cosSpread = uintBitsToFloat(b.y);
+  n.power = uintBitsToFloat(b.z);
+  n.below = b.w;
+  return n;
+}
+uint lightNodeParent(uint i) { return imageLoad(lightNodeTexels, int(i * kTexelsPerLightNode + 2u)).x; }
+
 uint lightCount() { return frame.lightCount; }
 uint maxBounces() { return frame.maxBounces; }
 uint rouletteAfter() { return frame.rouletteAfter; }
@@ -120,6 +137,7 @@ uint deadHistories() { return frame.deadHistories; }
 uint environmentWidth() { return frame.environmentWidth; }
 uint environmentHeight() { return frame.environmentHeight; }
 float environmentProbability() { return frame.environmentProbability; }
+uint environmentLeaf() { return frame.environmentLeaf; }
 vec4 filterShape() { return frame.filterShape; }
 float filterEdge(uint i) { return frame.filterEdges[i >> 2u][i & 3u]; }
 vec3 background() { return frame.background.xyz; }
@@ -236,6 +254,8 @@ void reportTraversal(uint steps, bool cut) {
   g_steps += subgroupMaximum(steps);
   if (cut) reportCut();
 }
+// An iteration of one loop, where a step of a traversal counts for 1 + kNodesPerStep + kLeafTriangles.
+void reportLightWalk(uint levels) { g_steps += subgroupMaximum(levels) / 7u + 1u; }
 void reportClosestRay() { g_raysClosest += 1u; }
 void reportShadowRay(bool traced) { g_raysShadow += traced ? 1u : 0u; }
 void reportCappedPath() { g_cappedPaths += 1u; }

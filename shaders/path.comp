@@ -68,6 +68,8 @@ vec3 filmColour(uint plane, uint pixel) {
               uintBitsToFloat(film[plane + 2u].values[pixel]));
 }
 
+uint vertexPlane() { return kPathPlanes + splitDepth() * kBranchPlanes; } // behind the branches
+
 void savePath(Work work, Path path) {
   uint flags = (path.emit ? 1u : 0u) | (path.waiting << 1u) | (path.history << 6u) | (path.repeat << 10u) |
                (path.repeats > 1u ? 1u << 14u : 0u) | (work.open << 16u);
@@ -77,6 +79,10 @@ void savePath(Work work, Path path) {
   pathPlanes[statePlane(3u, work.slot)] = uvec4(floatBitsToUint(path.L), flags);
   pathPlanes[statePlane(4u, work.slot)] = uvec4(floatBitsToUint(work.mean), floatBitsToUint(path.pdf_w));
   pathPlanes[statePlane(5u, work.slot)] = uvec4(floatBitsToUint(work.deviations), floatBitsToUint(path.sampleWeight));
+  if (kEffectLightTree) {
+    pathPlanes[statePlane(vertexPlane(), work.slot)] = uvec4(floatBitsToUint(path.from), 0u);
+    pathPlanes[statePlane(vertexPlane() + 1u, work.slot)] = uvec4(floatBitsToUint(path.fromNormal), 0u);
+  }
 }
 
 void loadPath(inout Work work, inout Path path) {
@@ -105,6 +111,11 @@ void loadPath(inout Work work, inout Path path) {
   path.pdf_w = MUTATE(CarriedPdfLost, uintBitsToFloat(e.w), 0.0);
   work.deviations = uintBitsToFloat(f.xyz);
   path.sampleWeight = uintBitsToFloat(f.w);
+  if (kEffectLightTree) {
+    vec3 from = uintBitsToFloat(pathPlanes[statePlane(vertexPlane(), work.slot)].xyz);
+    path.from = MUTATE(CarriedVertexLost, from, vec3(0.0));
+    path.fromNormal = uintBitsToFloat(pathPlanes[statePlane(vertexPlane() + 1u, work.slot)].xyz);
+  }
 }
 
 // Returns whether this lane has work at all.
@@ -267,6 +278,7 @@ void main() {
         if (rays.onPath) shade(work, path, rays);
       }
       g_steps += 1u;
+      if (kEffectLightSamples || kEffectLightTree) g_steps = subgroupMaximum(g_steps); // some lanes' shading counts, too
       working = work.open != 0u || rays.pathOver;
       goesOn = working && g_steps < kStepBudget;
       lanes = subgroupAdd(goesOn ? 1u : 0u);

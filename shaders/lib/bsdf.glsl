@@ -7,6 +7,8 @@ struct Surface {
   Vec3 ng;     // geometric normal on the viewer's side
   Vec3 n;      // shading normal on the viewer's side
   Vec3 ns;     // the same, even if the viewer can't see it
+  Float doubleArea; // twice that of the triangle
+  uint lightLeaf;   // of the light tree, if the triangle is one of its lights
   bool front;  // seen from the side its normal points to
   Material m;
 };

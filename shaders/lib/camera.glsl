@@ -25,6 +25,8 @@ Path cameraPath(uint pixel, uint x, uint y, uint sampleLow, uint key) {
   path.pdf_w = 0.0;
   path.history = kHistoryEye;
   path.otherPdf_A = 0.0;
+  path.from = path.ray.o;
+  path.fromNormal = Vec3(0.0);
   path.branch = 0u;
   path.waiting = 0u;
   path.repeat = 0u;

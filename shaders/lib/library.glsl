@@ -25,6 +25,7 @@
 #include "surface.glsl"
 #include "scatter.glsl"
 #include "environment.glsl"
+#include "light_tree.glsl"
 #include "light.glsl"
 #include "kinds.glsl"
 #include "path_state.glsl"

@@ -1,4 +1,4 @@
-// Light sampling: a light chosen in proportion to its power, and a direction to it.
+// Light sampling: a light chosen in proportion to its power or by the tree, and a direction to it.
 
 struct LightSample {
   Vec3 wi; // unit, towards the light
@@ -13,7 +13,7 @@ struct LightSample {
 // One texel of each record holds a row of Walker's alias table (Walker 1977; Vose 1991): the integer part of the
 // choice picks a row, its fraction the owner or the alias, and what is left of that a point on the light: so the points
 // of all lights together are as well spread as random.z and random.w. random.x has the bits that many lights use up.
-LightRecord chooseLight(UVec4 random, OUT(Vec2) point) {
+LightRecord chooseByPower(UVec4 random, OUT(Vec2) point) {
   uint index = 0u;
   point = Vec2(toUnit(random.z), toUnit(random.w));
   if (kEffectManyLights) {
@@ -56,10 +56,11 @@ LightSample sampleTriangle(LightRecord light, Vec3 p, Vec2 u) {
   return s;
 }
 
-// Seen from p. `random` chooses the light and a point on it, `more` a direction to the environment.
-LightSample sampleLight(Vec3 p, UVec4 random, UVec4 more) {
+// Seen from p, a surface of normal n (0: that scatters on both sides). `random` chooses the light and a point on it,
+// `more` a direction to the environment.
+LightSample sampleLight(Vec3 p, Vec3 n, UVec4 random, UVec4 more) {
   Vec2 point;
-  LightRecord light = chooseLight(random, point);
+  LightRecord light = choosesByTree() ? chooseByTree(p, n, random, point) : chooseByPower(random, point);
   LightSample s;
   s.wi = Vec3(0.0, 0.0, 1.0);
   s.L = Vec3(0.0);

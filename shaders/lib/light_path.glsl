@@ -29,7 +29,7 @@ Float eyePdf_A(Float r2, Float cosSurface, Float cosAxis) {
   return cosSurface / (r2 * cube * cameraImageArea());
 }
 
-// The start of a path from a light that is chosen as light sampling does; one that is no triangle sends none.
+// The start of a path from a light that is chosen by its power; one that is no triangle sends none.
 Path lightPath(uint pixel, uint sampleLow, uint key) {
   Path path;
   path.branch = 0u;
@@ -39,7 +39,7 @@ Path lightPath(uint pixel, uint sampleLow, uint key) {
   UVec4 random = pathRandom(path, kBlockCamera);
   UVec4 more = pathRandom(path, kBlockCamera + 1u);
   Vec2 point;
-  LightRecord light = chooseLight(random, point);
+  LightRecord light = chooseByPower(random, point);
   Vec2 b = squareToTriangle(point);
   Vec3 n = cross(light.v1 - light.v0, light.v2 - light.v0);
   Float doubleArea = length(n);
@@ -61,6 +61,8 @@ Path lightPath(uint pixel, uint sampleLow, uint key) {
   path.repeat = 0u;
   path.repeats = 1u;
   path.sampleWeight = 1.0;
+  path.from = path.ray.o;
+  path.fromNormal = Vec3(0.0);
   return path;
 }
 

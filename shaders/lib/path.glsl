@@ -15,9 +15,22 @@ void gather(INOUT(Path) path, uint history, Vec3 L) {
 // By way of the subgroup: a kernel with a loop whose bound is a uniform is compiled anew for every dispatch by lavapipe.
 uint lightSampleCount() { return subgroupMaximum(lightSamples()); }
 
+Vec3 treeNormal(Surface s) { return isRoughGlass(s.m.bsdf) ? Vec3(0.0) : s.n; }
+
+// Density over area with which light sampling would have found the emitter that the path has hit.
+Float lightPdf_A(Path path, Surface s) {
+  Float pdf_A = s.m.lightPdf_A;
+  if (choosesByTree()) {
+    bool sampled = pdf_A > 0.0 && path.pdf_w > 0.0;
+    Float probability = treeProbability(s.lightLeaf, sampled, path.from, path.fromNormal);
+    if (sampled) pdf_A = MUTATE(TreeWeighedByPower, probability * 2.0 / s.doubleArea, pdf_A);
+  }
+  return pdf_A;
+}
+
 // One light sample: radiance f cos Le / pdf_w.
 DirectLight sampleDirect(Surface s, Vec3 wo, UVec4 random, UVec4 more, bool wanted) {
-  LightSample light = sampleLight(s.p, random, more);
+  LightSample light = sampleLight(s.p, treeNormal(s), random, more);
   Vec3 origin = offsetRayOrigin(s.p, s.error, s.ng, light.wi);
   Vec3 span = light.end - origin;
   Float distance = length(span);
@@ -92,7 +105,9 @@ void gatherBackground(INOUT(Path) path) {
   }
   if (kEffectEnvironment && path.emit) {
     EnvironmentRecord e = environmentAt(path.ray.d);
-    gather(path, path.history, path.beta * e.radiance * emissionWeight(path, e.pdf_w * environmentProbability()));
+    Float probability = environmentProbability();
+    if (choosesByTree()) probability = treeProbability(environmentLeaf(), true, path.from, path.fromNormal);
+    gather(path, path.history, path.beta * e.radiance * emissionWeight(path, e.pdf_w * probability));
   }
 }
 
@@ -118,7 +133,7 @@ bool extendPath(INOUT(Path) path, Hit hit, OUT(DirectLight) direct) {
 
     // EMISSION: L += beta Le, unless the vertex before has sampled the emitters itself.
     if (kEffectAreaLights && path.emit && MUTATE(BackEmits, s.front, true)) {
-      Float weight = emissionWeight(path, areaToSolidAngle(s.m.lightPdf_A, hit.t * hit.t, dot(s.ng, wo)));
+      Float weight = emissionWeight(path, areaToSolidAngle(lightPdf_A(path, s), hit.t * hit.t, dot(s.ng, wo)));
       if (kEffectLightTracing) weight *= causticWeight(path, s.m.lightPdf_A);
       gather(path, path.history, MUTATE(ThroughputDropped, path.beta, Vec3(1.0)) * s.m.emission * weight);
     }
@@ -171,6 +186,8 @@ bool extendPath(INOUT(Path) path, Hit hit, OUT(DirectLight) direct) {
     Vec3 beta = path.beta * b.weight;
     path.emit = MUTATE(EmissionTwice, specular || !samplesEmitters() || weighsStrategies(), true) && !kFromLight;
     path.pdf_w = specular ? 0.0 : b.pdf_w;
+    path.from = s.p;
+    path.fromNormal = treeNormal(s);
     uint history = specular ? afterSpecular(path.history, dot(b.wi, s.ng) < 0.0) : afterDiffuse(path.history);
     if (kFromLight) {
       goesOn = goesOn && (specular || path.bounce > 0u); // what comes straight from a light is light sampling's

@@ -11,6 +11,8 @@ struct Path {
   // The other side's density at this end of the path, over area: of the eye's paths at the first vertex, which is
   // connected to the eye, over their number, and 0 where no path from a light leads there; of light sampling on the light.
   Float otherPdf_A;
+  Vec3 from;        // of the light tree: where light sampling stood when it could have found what ray.d leads to,
+  Vec3 fromNormal;  // and the normal there
   uint branch;      // which branches of split vertices the path has taken, a bit each
   uint waiting;     // branches that wait
   uint repeat;      // of the sample's paths through the same point of the image, from 0

@@ -7,6 +7,7 @@ struct TriangleRecord {
   Vec3 v2;
   uint material;
   uint id; // in input order
+  uint lightLeaf; // of the light tree, if the triangle is one of its lights
 };
 
 // A light, and the row of the alias table with the same index.
@@ -20,6 +21,22 @@ struct LightRecord {
   Float threshold;   // the row keeps itself when the second number is below
   uint alias;
 };
+
+// A node of the light tree: what it knows of the lights below.
+struct LightNode {
+  Vec3 centre; // of a sphere about them
+  Float radius;
+  Vec3 axis; // of the cone of their normals
+  Float cosSpread;
+  Float power; // share of all power
+  uint below;  // the first of two children side by side, or kLightLeaf and the light
+};
+
+// Ten bits a component, from -1 to 1.
+Vec3 lightAxis(uint packed) {
+  Vec3 steps = Vec3(Float(packed & 1023u), Float((packed >> 10u) & 1023u), Float((packed >> 20u) & 1023u));
+  return (steps - 511.0) * (1.0 / 511.0);
+}
 
 struct EnvironmentRecord {
   Vec3 radiance;

@@ -18,7 +18,10 @@ Surface surfaceAt(Hit hit, Vec3 wo) {
   Float b0 = 1.0 - hit.b1 - hit.b2;
   s.p = pointWithin(tri, hit);
   s.error = positionError(tri.v0, tri.v1, tri.v2);
-  s.ng = normalize(cross(tri.v1 - tri.v0, tri.v2 - tri.v0));
+  Vec3 across = cross(tri.v1 - tri.v0, tri.v2 - tri.v0);
+  s.ng = normalize(across);
+  s.doubleArea = length(across);
+  s.lightLeaf = tri.lightLeaf;
   s.front = dot(s.ng, wo) > 0.0;
   s.ng = s.front ? s.ng : -s.ng;
   s.n = s.ng;

@@ -71,7 +71,10 @@
   X(97, SplatCarryLost, "sums of splats have 32 bits")                                                       \
   X(98, RepeatsAlike, "the paths of a sample share their random numbers")                                    \
   X(99, RepeatsNotAveraged, "several paths of a sample add up")                                              \
-  X(100, CarriedRepeatLost, "a sample that goes on in the next dispatch begins again with its first path")
+  X(100, CarriedRepeatLost, "a sample that goes on in the next dispatch begins again with its first path")   \
+  X(101, TreeShareDropped, "the light tree's children are as probable as each other")                        \
+  X(102, TreeWeighedByPower, "light found by chance is weighed as if lights were chosen by power")           \
+  X(103, CarriedVertexLost, "a path that goes on in the next dispatch has forgotten where it comes from")
 
 // Those that tests/bsdf notices: by samples counted against their density, and by closed forms.
 #define VKPT_SAMPLING_MUTATIONS_LIST(X)                                                                      \

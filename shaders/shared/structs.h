@@ -34,13 +34,15 @@ VKPT_CONSTANT uint kBindingEnvironment = 12u; // texel buffer: 2 texels for each
 VKPT_CONSTANT uint kBindingKinds = 13u;       // storage[kKindCount]: an image of each kind of light path
 VKPT_CONSTANT uint kBindingReplicates = 14u;  // texel buffer[3], by channel: a pixel's mean in each replicate
 VKPT_CONSTANT uint kBindingSplats = 15u; // texel buffer of single numbers: what paths from the lights bring
-VKPT_CONSTANT uint kBindingCount = 16u;
+VKPT_CONSTANT uint kBindingLightNodes = 16u; // texel buffer: 3 texels a node of the light tree
+VKPT_CONSTANT uint kBindingCount = 17u;
 
 // --- texels a record takes ---
 VKPT_CONSTANT uint kTexelsPerNode = 8u;
 VKPT_CONSTANT uint kTexelsPerTriangle = 3u;
 VKPT_CONSTANT uint kTexelsPerMaterial = 6u;
 VKPT_CONSTANT uint kTexelsPerLight = 4u;
+VKPT_CONSTANT uint kTexelsPerLightNode = 3u;
 VKPT_CONSTANT uint kTexelsPerUv = 2u;
 VKPT_CONSTANT uint kTexelsPerEnvironmentTexel = 2u;
 VKPT_CONSTANT uint kPixelsPerTexel = 2u; // of a texture: RGB in half floats
@@ -52,6 +54,7 @@ VKPT_CONSTANT uint kConstantFilterShape = 66u;
 VKPT_CONSTANT uint kConstantPrimaryView = 67u; // of path.comp built with VKPT_PRIMARY
 VKPT_CONSTANT uint kConstantSampler = 68u;
 VKPT_CONSTANT uint kConstantFromLight = 69u;
+VKPT_CONSTANT uint kConstantByLightTree = 70u;
 
 VKPT_CONSTANT uint kPrimaryBaseColour = 0u;
 VKPT_CONSTANT uint kPrimaryNormals = 1u;
@@ -76,6 +79,8 @@ VKPT_CONSTANT uint kMaterialBeckmann = 2u; // else GGX
 VKPT_CONSTANT uint kLightPoint = 0xFFFFFFFEu;
 VKPT_CONSTANT uint kLightDirectional = 0xFFFFFFFDu;
 VKPT_CONSTANT uint kLightEnvironment = 0xFFFFFFFCu; // from here on no triangle
+VKPT_CONSTANT uint kLightLeaf = 0x80000000u;        // of a node of the light tree: below it is one light
+VKPT_CONSTANT uint kMaxLightTreeDepth = 64u;        // levels below the root
 
 // --- how emitters are found: the values of vkpt::LightStrategy ---
 VKPT_CONSTANT uint kStrategyNee = 0u;
@@ -116,13 +121,14 @@ VKPT_CONSTANT uint kBounceCap = 10000u; // ends paths trapped by total internal 
 // lavapipe ends ALL loops of a subgroup together, in silence, after 65 535 iterations
 // (LP_MAX_TGSI_LOOP_ITERATIONS). A traversal step is one iteration of a loop with two loops inside, of at
 // most kNodesPerStep and kLeafTriangles iterations; a vertex starts only below kStepBudget, it counts as a
-// step, and its two traversals take at most kMaxTraversalSteps each. So the limit is never met: (2200 + 1 + 2
-// * 3500) * (1 + 2 + 4) < 65535.
+// step, and its two traversals take at most kMaxTraversalSteps each. With a light tree come as many walks
+// through it as light samples, and one more. So the limit is never met: (2200 + 1 + 2 * 3400) * (1 + 2 + 4) +
+// 17 * 65 < 65535.
 VKPT_CONSTANT uint kMaxStackDepth = 48u; // levels of the tree, and one
 VKPT_CONSTANT uint kNodesPerStep = 2u;
 VKPT_CONSTANT uint kLeafTriangles = 4u; // vkpt::kMaxLeafTriangles
 VKPT_CONSTANT uint kStepBudget = 2200u;
-VKPT_CONSTANT uint kMaxTraversalSteps = 3500u; // with several light samples their shadow rays share them
+VKPT_CONSTANT uint kMaxTraversalSteps = 3400u; // with several light samples their shadow rays share them
 VKPT_CONSTANT uint kMaxLightSamples = 16u;
 VKPT_CONSTANT uint kMaxSpecularSamples = 16u;
 VKPT_CONSTANT uint kMaxSplitDepth = 16u; // a path's branches are told apart by 16 bits
@@ -151,6 +157,7 @@ VKPT_CONSTANT uint kSpecularBoxes = 4u; // that hold the specular surfaces betwe
 
 VKPT_CONSTANT uint kPathPlanes = 6u;   // uvec4 planes of a saved path state: 96 bytes a slot
 VKPT_CONSTANT uint kBranchPlanes = 3u; // and of each branch that waits: 48 bytes
+VKPT_CONSTANT uint kVertexPlanes = 2u; // and of the vertex before, where there is a light tree: 32 bytes
 
 // --- faults: the values of vkpt::FaultCause ---
 VKPT_CONSTANT uint kFaultNonFinite = 0u;    // a sample that is not finite
@@ -213,8 +220,8 @@ struct FrameConstants {
   float splatSquareUnits; // of its sum of squares, one unit of squared radiance
   float lightPower;       // of all lights that light sampling knows, over pi, summed over the channels
   uint specularSamples;   // paths of a sample whose first surface is specular
+  uint environmentLeaf;   // of the light tree
   uint unused0;
-  uint unused1;
   vec4 specularLower[kSpecularBoxes]; // a box more than there are lies far away
   vec4 specularUpper[kSpecularBoxes];
   vec4 filterShape;                        // radius, and what the shape needs: lib/filter.glsl

@@ -110,6 +110,7 @@ std::vector<std::string> describeOptions(const RenderOptions& o, const RenderJob
   say("--roulette {} --roulette-after {}", rouletteText(e), e.effectiveRouletteAfter());
   say("--effects {}", effectsText(o.effects));
   say("--filter {}", nameOf(kFilterNames, scene.filter.shape));
+  say("--light-selection {}", nameOf(kLightSelectionNames, e.lightSelection));
   say("--light-tracing {} --specular-samples {}", nameOf(kLightTracingNames, e.lightTracing),
       e.specularSamples);
   say("--sampler {} --seed {} --background {}", nameOf(kSamplerNames, e.sampler), o.seed,

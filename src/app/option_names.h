@@ -17,6 +17,7 @@ inline constexpr std::array<std::string_view, 4> kFilterNames{"box", "tent", "ga
 inline constexpr std::array<std::string_view, 3> kTonemapNames{"none", "srgb", "aces"};
 
 inline constexpr std::array<std::string_view, 2> kSamplerNames{"independent", "sobol"};
+inline constexpr std::array<std::string_view, 3> kLightSelectionNames{"auto", "power", "tree"};
 inline constexpr std::array<std::string_view, 3> kLightTracingNames{"auto", "on", "off"};
 
 template<std::size_t N, class Enum>

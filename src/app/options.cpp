@@ -120,6 +120,14 @@ void addLightOptions(CLI::App& app, RenderOptions& o) {
       },
       "shadow rays at a surface point, 1 to 16 (default 1)");
   addValue(
+      app, "--light-selection", "auto|power|tree",
+      [&e](const auto& text) {
+        e.lightSelection =
+            static_cast<LightSelection>(parseName("--light-selection", text, kLightSelectionNames));
+      },
+      "one of several lights: by its power, or by a tree of what lights may bring to a place (default auto: "
+      "the tree where they are spread out)");
+  addValue(
       app, "--paths", "LIST", [&o](const auto& text) { o.pathKinds = parsePathKinds(text); },
       "only these kinds of light path, e.g. caustic,indirect (default all); biases the image");
   addValue(

@@ -20,8 +20,10 @@ struct RenderOptions {
   RenderJob job;
   bool endless = false; ///< where no rule stops the run it goes on, in place of the scene's own count
   /// Where a scene may say otherwise, by estimatorFor().
-  EstimatorSettings estimator{
-      .sampler = Sampler::Sobol, .lightTracing = LightTracing::Auto, .specularSamples = kSpecularSamples};
+  EstimatorSettings estimator{.sampler = Sampler::Sobol,
+                              .lightSelection = LightSelection::Auto,
+                              .lightTracing = LightTracing::Auto,
+                              .specularSamples = kSpecularSamples};
   std::optional<LightStrategy> light;
   std::optional<std::uint32_t> maxBounces;
   std::optional<std::uint32_t> pathKinds; ///< bit i: PathKind i

@@ -94,6 +94,7 @@ StudySetting referenceSetting(const StudyOptions& o, const Scene& scene) {
   RenderOptions options = o.common;
   options.light = LightStrategy::Mis;
   options.estimator.sampler = Sampler::Independent;
+  options.estimator.lightSelection = LightSelection::Auto;
   options.estimator.lightTracing = LightTracing::Auto;
   options.estimator.specularSamples = kSpecularSamples;
   options.estimator.lightSamples = 1;

@@ -129,6 +129,7 @@ shared::FrameConstants frameConstants(const Scene& scene, const LightChoice& lig
   c.seed = seed;
   c.lightCount = lights.count;
   c.environmentProbability = lights.environmentProbability;
+  c.environmentLeaf = lights.environmentLeaf;
   c.environmentWidth = static_cast<std::uint32_t>(scene.environment.width);
   c.environmentHeight = static_cast<std::uint32_t>(scene.environment.height);
   c.maxBounces = estimator.maxBounces;

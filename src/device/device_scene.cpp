@@ -11,6 +11,7 @@ DeviceScene uploadScene(const gpu::Context& context, const PackedScene& packed) 
   scene.normals = gpu::TexelBuffer(context, "normals", std::as_bytes(std::span{packed.normals}));
   scene.materials = gpu::TexelBuffer(context, "materials", std::as_bytes(std::span{packed.materials}));
   scene.lights = gpu::TexelBuffer(context, "lights", std::as_bytes(std::span{packed.lights}));
+  scene.lightNodes = gpu::TexelBuffer(context, "light tree", std::as_bytes(std::span{packed.lightNodes}));
   scene.uvs = gpu::TexelBuffer(context, "texture coordinates", std::as_bytes(std::span{packed.uvs}));
   scene.textures = gpu::TexelBuffer(context, "textures", std::as_bytes(std::span{packed.textures}));
   scene.environment = gpu::TexelBuffer(context, "environment", std::as_bytes(std::span{packed.environment}));
@@ -25,6 +26,7 @@ void bindScene(const gpu::Context& context, const gpu::BindingSet& bindings, con
   bindings.bind(context, shared::kBindingNormals, scene.normals);
   bindings.bind(context, shared::kBindingMaterials, scene.materials);
   bindings.bind(context, shared::kBindingLights, scene.lights);
+  bindings.bind(context, shared::kBindingLightNodes, scene.lightNodes);
   bindings.bind(context, shared::kBindingUvs, scene.uvs);
   bindings.bind(context, shared::kBindingTextures, scene.textures);
   bindings.bind(context, shared::kBindingEnvironment, scene.environment);
@@ -37,6 +39,7 @@ gpu::SpecialisationMap kernelConstants(const DeviceScene& scene, const Scene& so
     constants[static_cast<std::uint32_t>(e.effect)] = effects.has(e.effect) ? 1U : 0U;
   constants[shared::kConstantStackDepth] = scene.stackDepth;
   constants[shared::kConstantRouletteMode] = static_cast<std::uint32_t>(estimator.roulette);
+  constants[shared::kConstantByLightTree] = scene.lightChoice.byTree ? 1U : 0U;
   constants[shared::kConstantSampler] = static_cast<std::uint32_t>(estimator.sampler);
   constants[shared::kConstantFilterShape] = static_cast<std::uint32_t>(source.filter.shape);
   return constants;
@@ -44,7 +47,7 @@ gpu::SpecialisationMap kernelConstants(const DeviceScene& scene, const Scene& so
 
 std::uint64_t DeviceScene::bytes() const {
   return nodes.bytes() + triangles.bytes() + normals.bytes() + materials.bytes() + lights.bytes() +
-         uvs.bytes() + textures.bytes() + environment.bytes();
+         lightNodes.bytes() + uvs.bytes() + textures.bytes() + environment.bytes();
 }
 
 } // namespace vkpt

@@ -13,6 +13,7 @@ struct DeviceScene {
   gpu::TexelBuffer normals;
   gpu::TexelBuffer materials;
   gpu::TexelBuffer lights;
+  gpu::TexelBuffer lightNodes;
   gpu::TexelBuffer uvs;
   gpu::TexelBuffer textures;
   gpu::TexelBuffer environment;

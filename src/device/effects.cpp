@@ -24,6 +24,7 @@ struct Dependence {
 constexpr Dependence kDependences[] = {
     {Effect::Mis, {Effect::LightSampling, Effect::LightSampling}},
     {Effect::ManyLights, {Effect::LightSampling, Effect::LightSampling}},
+    {Effect::LightTree, {Effect::ManyLights, Effect::ManyLights}},
     {Effect::DeltaLights, {Effect::LightSampling, Effect::LightSampling}},
     {Effect::LightSamples, {Effect::LightSampling, Effect::LightSampling}},
     {Effect::LightTracing, {Effect::LightSampling, Effect::LightSampling}},

@@ -32,9 +32,17 @@ enum class LightTracing : std::uint32_t {
 inline constexpr std::uint32_t kUnlimitedBounces = std::numeric_limits<std::uint32_t>::max();
 inline constexpr std::uint32_t kAllPathKinds = (1U << kPathKindCount) - 1U;
 
+/// How light sampling chooses one of several lights.
+enum class LightSelection : std::uint32_t {
+  Auto,  ///< by the tree where lights are spread out
+  Power, ///< in proportion to their power
+  Tree,  ///< by what they may bring to the place: src/device/light_tree.h
+};
+
 struct EstimatorSettings {
   Sampler sampler = Sampler::Independent;
   LightStrategy light = LightStrategy::Mis;
+  LightSelection lightSelection = LightSelection::Power;
   LightTracing lightTracing = LightTracing::Off;
   std::uint32_t lightSamples = 1;               ///< shadow rays at a surface point, 1 to kMaxLightSamples
   std::uint32_t maxBounces = kUnlimitedBounces; ///< 0: emitted light only, 1: + direct light, ...

@@ -6,6 +6,7 @@
 #include "device/filter_table.h"
 #include "device/light_table.h"
 #include "device/light_tracing.h"
+#include "device/light_tree.h"
 
 #include <algorithm>
 #include <cmath>
@@ -186,7 +187,8 @@ private:
 
   void lightSampling(bool goesOn) {
     const LightTable table = makeLightTable(m_scene, m_settings.light);
-    for (const Effect e : {Effect::LightSampling, Effect::Mis, Effect::ManyLights, Effect::LightSamples}) {
+    for (const Effect e :
+         {Effect::LightSampling, Effect::Mis, Effect::ManyLights, Effect::LightTree, Effect::LightSamples}) {
       if (!goesOn)
         miss(e, "--max-bounces 0: no path goes on from a surface");
       else if (!hasAny(kSmoothBsdfs))
@@ -205,6 +207,7 @@ private:
          first.where);
     else
       miss(Effect::ManyLights, "one light needs no table", first.where);
+    lightTree(table);
     for (const LightSource& light : table.lights) {
       const bool delta =
           light.kind == LightSource::Kind::Point || light.kind == LightSource::Kind::Directional;
@@ -218,6 +221,19 @@ private:
          m_settings.light == LightStrategy::Mis ? "no ray can hit a light" : "another --light than mis");
     if (m_settings.lightSamples > 1)
       on(Effect::LightSamples, fmt::format("--light-samples {}", m_settings.lightSamples));
+  }
+
+  void lightTree(const LightTable& table) {
+    const std::size_t lights = table.lights.size();
+    const bool asked = m_settings.lightSelection == LightSelection::Tree;
+    if (choosesByTree(m_scene, m_settings, table))
+      on(Effect::LightTree, asked ? "--light-selection tree" : fmt::format("{} lights, spread out", lights));
+    else if (m_settings.lightSelection == LightSelection::Power)
+      miss(Effect::LightTree, "--light-selection power");
+    else if (lights < 2)
+      miss(Effect::LightTree, "one light needs no tree");
+    else
+      miss(Effect::LightTree, fmt::format("{} lights that are few or in one small place", lights));
   }
 
   void paths() {

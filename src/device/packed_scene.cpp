@@ -2,6 +2,7 @@
 
 #include "device/effective_material.h"
 #include "device/light_table.h"
+#include "device/light_tree.h"
 #include "shared/structs.h"
 
 #include <algorithm>
@@ -16,7 +17,8 @@ namespace {
 // The traversal's bound (shaders/shared/structs.h) holds for the leaves that are built.
 static_assert(shared::kLeafTriangles == kMaxLeafTriangles);
 static_assert((shared::kStepBudget + 1 + 2 * shared::kMaxTraversalSteps) *
-                  (1 + shared::kNodesPerStep + shared::kLeafTriangles) <
+                      (1 + shared::kNodesPerStep + shared::kLeafTriangles) +
+                  (shared::kMaxLightSamples + 1) * (shared::kMaxLightTreeDepth + 1) <
               65535);
 
 Texel texel(const Vec3f& v, std::uint32_t w) {
@@ -129,6 +131,32 @@ void packLights(const Scene& scene, const LightTable& table, PackedScene& packed
     packLight(scene, table.lights[i], table.rows[i], position, packed.lights);
 }
 
+void packLightNode(const LightTreeNode& node, double smallestRadius, std::vector<Texel>& out) {
+  const LightBounds& b = node.bounds;
+  const double radius = std::max(0.5 * glm::length(b.box.extent()), smallestRadius);
+  const auto bits = [](double x) { return std::bit_cast<std::uint32_t>(static_cast<float>(x)); };
+  std::uint32_t axis = 0; // ten bits a component: shaders/lib/records.glsl
+  for (int i = 0; i < 3; ++i)
+    axis |= static_cast<std::uint32_t>(std::lround(511.0 * b.axis[i]) + 511) << (10 * i);
+  out.push_back(texel(Vec3f(b.box.centre()), static_cast<float>(radius)));
+  out.push_back({axis, bits(b.cosSpread), bits(b.power), node.below | (node.leaf ? shared::kLightLeaf : 0U)});
+  out.push_back({node.parent, 0U, 0U, 0U});
+}
+
+/// After the triangles, which learn of their leaves.
+void packLightTree(const Scene& scene, const LightTable& table, PackedScene& packed) {
+  const LightTree tree = makeLightTree(scene, table);
+  for (const LightTreeNode& node : tree.nodes)
+    packLightNode(node, tree.smallestRadius, packed.lightNodes);
+  for (std::size_t i = 0; i < table.lights.size(); ++i) {
+    const std::uint32_t what = packed.lights[i * shared::kTexelsPerLight + 3][3];
+    if (what == shared::kLightEnvironment)
+      packed.lightChoice.environmentLeaf = tree.leafOfLight[i];
+    else if (what < shared::kLightEnvironment)
+      packed.triangles[std::size_t{what} * shared::kTexelsPerTriangle + 2][3] = tree.leafOfLight[i];
+  }
+}
+
 void packUvs(const Scene& scene, PackedScene& packed) {
   for (const std::uint32_t id : packed.bvh.triangleOrder) {
     std::array<Vec2f, 3> uv{};
@@ -206,6 +234,7 @@ void fillEmpty(PackedScene& packed) {
   fill(packed.normals, shared::kTexelsPerTriangle);
   fill(packed.materials, shared::kTexelsPerMaterial);
   fill(packed.lights, shared::kTexelsPerLight);
+  fill(packed.lightNodes, shared::kTexelsPerLightNode);
   fill(packed.uvs, shared::kTexelsPerUv);
   fill(packed.textures, 1);
   fill(packed.environment, shared::kTexelsPerEnvironmentTexel);
@@ -228,9 +257,13 @@ PackedScene packScene(const Scene& scene, const EstimatorSettings& estimator, co
   const std::vector<Material> materials = effectiveMaterials(scene);
   packMaterials(scene, materials, lights, packed);
   packed.lightChoice = {static_cast<std::uint32_t>(lights.lights.size()),
-                        static_cast<float>(lights.environmentProbability()), lights.totalPower};
+                        static_cast<float>(lights.environmentProbability()), false, 0, lights.totalPower};
   if (effects.has(Effect::LightSampling))
     packLights(scene, lights, packed);
+  packed.lightChoice.byTree = effects.has(Effect::LightSampling) && effects.has(Effect::LightTree) &&
+                              choosesByTree(scene, estimator, lights);
+  if (packed.lightChoice.byTree)
+    packLightTree(scene, lights, packed);
   if (effects.has(Effect::Textures) && !scene.textures.empty()) {
     packUvs(scene, packed);
     packTextures(scene, materials, packed);

@@ -16,7 +16,9 @@ using Texel = std::array<std::uint32_t, 4>;
 struct LightChoice {
   std::uint32_t count = 0;
   float environmentProbability = 0.0F;
-  double totalPower = 0.0; ///< as LightTable's
+  bool byTree = false;               ///< else by power
+  std::uint32_t environmentLeaf = 0; ///< of the light tree
+  double totalPower = 0.0;           ///< as LightTable's
 };
 
 /// The scene in the device's layout (shaders/lib/records.glsl), in host memory: what is uploaded, and what
@@ -27,6 +29,7 @@ struct PackedScene {
   std::vector<Texel> normals;   ///< the same
   std::vector<Texel> materials;
   std::vector<Texel> lights;
+  std::vector<Texel> lightNodes;  ///< of the light tree: kTexelsPerLightNode each
   std::vector<Texel> uvs;         ///< kTexelsPerUv a triangle, in BVH order
   std::vector<Texel> textures;    ///< one for each texture, then their pixels in half floats
   std::vector<Texel> environment; ///< kTexelsPerEnvironmentTexel for each of the map's

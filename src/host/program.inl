@@ -24,7 +24,7 @@ public:
         VKPT_EFFECTS(VKPT_INITIALISE_EFFECT)
 #undef VKPT_INITIALISE_EFFECT
             kRouletteMode(static_cast<uint>(roulette)),
-        kSampler(static_cast<uint>(sampler)), kFilterShape(static_cast<uint>(filter)), m_scene(&scene),
+        kByLightTree(scene.lightChoice.byTree), kSampler(static_cast<uint>(sampler)), kFilterShape(static_cast<uint>(filter)), m_scene(&scene),
         m_frame(frame) {
     if (scene.bvh.depth >= kMaxStackDepth)
       throw std::length_error("the BVH is too deep for the traversal's stack");
@@ -35,6 +35,7 @@ public:
   VKPT_EFFECTS(VKPT_DECLARE_EFFECT)
 #undef VKPT_DECLARE_EFFECT
   uint kRouletteMode;
+  bool kByLightTree;
   uint kSampler;
   uint kFilterShape;
   bool kFromLight = false; // of the path at hand
@@ -56,6 +57,7 @@ public:
     r.v2 = vector(t[2]);
     r.material = t[0][3];
     r.id = t[1][3];
+    r.lightLeaf = t[2][3];
     return r;
   }
   Vec3 triangleNormal(uint i, uint corner) const {
@@ -116,6 +118,18 @@ public:
     r.triangle = t[3][3];
     return r;
   }
+  LightNode lightNode(uint i) {
+    const Texel* t = &m_scene->lightNodes[std::size_t{i} * kTexelsPerLightNode];
+    LightNode n;
+    n.centre = vector(t[0]);
+    n.radius = number(t[0][3]);
+    n.axis = lightAxis(t[1][0]);
+    n.cosSpread = number(t[1][1]);
+    n.power = number(t[1][2]);
+    n.below = t[1][3];
+    return n;
+  }
+  uint lightNodeParent(uint i) const { return m_scene->lightNodes[std::size_t{i} * kTexelsPerLightNode + 2][0]; }
   uint lightCount() const { return m_frame.lightCount; }
   uint maxBounces() const { return m_frame.maxBounces; }
   uint rouletteAfter() const { return m_frame.rouletteAfter; }
@@ -129,6 +143,7 @@ public:
   uint environmentWidth() const { return m_frame.environmentWidth; }
   uint environmentHeight() const { return m_frame.environmentHeight; }
   Float environmentProbability() const { return m_frame.environmentProbability; }
+  uint environmentLeaf() const { return m_frame.environmentLeaf; }
   Vec4 filterShape() const {
     const vec4& f = m_frame.filterShape;
     return Vec4(f.x, f.y, f.z, f.w);
@@ -168,6 +183,7 @@ public:
   // --- what the library reports ---
   HostCounters counters;
   void reportTraversal(uint /*steps*/, bool cut) { counters.cutTraversal += cut ? 1U : 0U; }
+  void reportLightWalk(uint /*levels*/) {}
   void reportClosestRay() { ++counters.raysClosest; }
   void reportShadowRay(bool traced) { counters.raysShadow += traced ? 1U : 0U; }
   void reportCappedPath() { ++counters.cappedPaths; }

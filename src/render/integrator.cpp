@@ -22,6 +22,7 @@ constexpr auto kLayout = std::to_array<gpu::BindingLayout>({
     {kBindingNormals, DescriptorType::eStorageTexelBuffer},
     {kBindingMaterials, DescriptorType::eStorageTexelBuffer},
     {kBindingLights, DescriptorType::eStorageTexelBuffer},
+    {kBindingLightNodes, DescriptorType::eStorageTexelBuffer},
     {kBindingPaths, DescriptorType::eStorageBuffer},
     {kBindingCounters, DescriptorType::eStorageBuffer},
     {kBindingFilm, DescriptorType::eStorageBuffer, kFilmPlanes},
@@ -64,7 +65,7 @@ void barrier(const vk::raii::CommandBuffer& commands) {
 
 Integrator::Integrator(const gpu::Context& context, const DeviceScene& scene, const Scene& source,
                        const EffectSet& effects, const IntegratorSettings& settings)
-    : m_context(context), m_settings(settings),
+    : m_context(context), m_settings(settings), m_lightTree(effects.has(Effect::LightTree)),
       m_constants(frameConstants(source, scene.lightChoice, settings.estimator, settings.width,
                                  settings.height, settings.seed)),
       m_bindings(context, kLayout, sizeof(Dispatch)),
@@ -106,7 +107,8 @@ void Integrator::reserveSlots(std::uint32_t slots) {
   if (slots <= m_slots)
     return;
   m_slots = std::bit_ceil(slots);
-  m_paths = gpu::Buffer(m_context, "path states", pathStateBytes(m_slots, m_settings.estimator.splitDepth),
+  m_paths = gpu::Buffer(m_context, "path states",
+                        pathStateBytes(m_slots, m_settings.estimator.splitDepth, m_lightTree),
                         vk::BufferUsageFlagBits::eStorageBuffer, gpu::MemoryKind::Device);
   m_slotLists = gpu::Buffer(m_context, "slot lists", slotListBytes(m_slots),
                             vk::BufferUsageFlagBits::eStorageBuffer, gpu::MemoryKind::Device);

@@ -129,6 +129,7 @@ private:
 
   const gpu::Context& m_context;
   IntegratorSettings m_settings;
+  bool m_lightTree; ///< states hold what it needs
   shared::FrameConstants m_constants{};
   gpu::BindingSet m_bindings;
   gpu::ComputePipeline m_path;

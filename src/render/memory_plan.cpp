@@ -34,8 +34,9 @@ std::uint32_t slotsFor(int width, int height, std::uint32_t tileBlocks) {
 
 } // namespace
 
-std::uint64_t pathStateBytes(std::uint32_t slots, std::uint32_t splitDepth) {
-  return std::uint64_t{slots} * (kPathPlanes + splitDepth * kBranchPlanes) * sizeof(Texel);
+std::uint64_t pathStateBytes(std::uint32_t slots, std::uint32_t splitDepth, bool lightTree) {
+  const std::uint32_t planes = kPathPlanes + splitDepth * kBranchPlanes + (lightTree ? kVertexPlanes : 0U);
+  return std::uint64_t{slots} * planes * sizeof(Texel);
 }
 
 std::uint64_t slotListBytes(std::uint32_t slots) {
@@ -69,6 +70,7 @@ MemoryPlan planMemory(const gpu::Context& context, const PackedScene& packed, co
   texels("normals", sizeOf(packed.normals));
   texels("materials", sizeOf(packed.materials));
   texels("lights", sizeOf(packed.lights));
+  texels("light tree", sizeOf(packed.lightNodes));
   texels("texture coordinates", sizeOf(packed.uvs));
   texels("textures", sizeOf(packed.textures));
   texels("environment", sizeOf(packed.environment));
@@ -84,7 +86,8 @@ MemoryPlan planMemory(const gpu::Context& context, const PackedScene& packed, co
                          "maxTexelBufferElements",
                          std::uint64_t{context.limits().maxTexelBufferElements} * sizeof(std::uint32_t)});
   }
-  storage("path states, at most", 1, pathStateBytes(slots, estimator.splitDepth));
+  storage("path states, at most", 1,
+          pathStateBytes(slots, estimator.splitDepth, effects.has(Effect::LightTree)));
   storage("slot lists, at most", 1, slotListBytes(slots));
   return plan;
 }
@@ -108,7 +111,9 @@ std::uint64_t effectBytes(Effect effect, const PackedScene& packed, const Effect
   case Effect::Environment:
     return sizeOf(packed.environment);
   case Effect::Splitting:
-    return pathStateBytes(slots, estimator.splitDepth) - pathStateBytes(slots, 0);
+    return pathStateBytes(slots, estimator.splitDepth, false) - pathStateBytes(slots, 0, false);
+  case Effect::LightTree:
+    return sizeOf(packed.lightNodes) + pathStateBytes(slots, 0, true) - pathStateBytes(slots, 0, false);
   case Effect::LightTracing:
     return splatBytes(width, height);
   case Effect::KindImages:

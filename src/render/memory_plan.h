@@ -15,7 +15,7 @@ class Context;
 namespace vkpt {
 
 /// Of `slots` paths that are under way at once, in bytes.
-std::uint64_t pathStateBytes(std::uint32_t slots, std::uint32_t splitDepth);
+std::uint64_t pathStateBytes(std::uint32_t slots, std::uint32_t splitDepth, bool lightTree);
 std::uint64_t slotListBytes(std::uint32_t slots);
 
 struct MemoryRow {

@@ -21,6 +21,7 @@ constexpr auto kLayout = std::to_array<gpu::BindingLayout>({
     {kBindingNormals, DescriptorType::eStorageTexelBuffer},
     {kBindingMaterials, DescriptorType::eStorageTexelBuffer},
     {kBindingLights, DescriptorType::eStorageTexelBuffer},
+    {kBindingLightNodes, DescriptorType::eStorageTexelBuffer},
     {kBindingPaths, DescriptorType::eStorageBuffer},
     {kBindingCounters, DescriptorType::eStorageBuffer},
     {kBindingUvs, DescriptorType::eStorageTexelBuffer},

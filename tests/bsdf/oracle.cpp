@@ -29,4 +29,8 @@ OracleValue Oracle::evaluate(const View& view, const Vec3d& wi) const {
   return evaluate(view, glm::normalize(Vec3d(view.wo)), wi);
 }
 
+double Oracle::treeProbability(std::uint32_t leaf, const Vec3d& p, const Vec3d& n) const {
+  return m_library->program.treeProbability(leaf, true, p, n);
+}
+
 } // namespace vkpt::test

@@ -22,6 +22,8 @@ public:
   /// Zero where the surface doesn't scatter. Vectors needn't be as rounded as `view`'s.
   [[nodiscard]] OracleValue evaluate(const View& view, const Vec3d& wi) const;
   [[nodiscard]] OracleValue evaluate(const View& view, const Vec3d& wo, const Vec3d& wi) const;
+  /// With which the light tree leads to a leaf, for a surface at p (0: of no side).
+  [[nodiscard]] double treeProbability(std::uint32_t leaf, const Vec3d& p, const Vec3d& n) const;
 
 private:
   struct Library;

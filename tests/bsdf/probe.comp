@@ -15,7 +15,7 @@ layout(constant_id = 100) const uint kRoutine = 0u;
 
 struct Query {
   vec4 a; // BSDFs: wo, material; lights: the point they are seen from
-  vec4 b; // BSDFs: normal, 1 on the material's front
+  vec4 b; // normal; BSDFs: 1 on the material's front
 };
 layout(set = 0, binding = kBindingCount, std430) readonly buffer QueryBlock {
   Query query;
@@ -50,7 +50,7 @@ Answer evaluatedBsdf(uint i) {
 }
 
 Answer sampledLight(uvec4 random, uvec4 more) {
-  LightSample light = sampleLight(query.a.xyz, random, more);
+  LightSample light = sampleLight(query.a.xyz, query.b.xyz, random, more);
   float kind = light.triangle >= kLightEnvironment ? -float(light.triangle - kLightEnvironment + 1u) : float(light.triangle);
   return Answer(vec4(light.wi, light.pdf_w), vec4(light.end, kind));
 }

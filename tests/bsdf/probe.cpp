@@ -20,17 +20,22 @@ constexpr auto kLayout = std::to_array<gpu::BindingLayout>({
     {kBindingFrame, DescriptorType::eUniformBuffer},
     {kBindingMaterials, DescriptorType::eStorageTexelBuffer},
     {kBindingLights, DescriptorType::eStorageTexelBuffer},
+    {kBindingLightNodes, DescriptorType::eStorageTexelBuffer},
     {kBindingEnvironment, DescriptorType::eStorageTexelBuffer},
     {kBindingQuery, DescriptorType::eStorageBuffer},
     {kBindingAnswers, DescriptorType::eStorageBuffer},
 });
+
+EstimatorSettings estimatorFor(const EffectSet& effects) {
+  return {.lightSelection = effects.has(Effect::LightTree) ? LightSelection::Tree : LightSelection::Power};
+}
 
 std::array<float, 4> row(const Vec3f& v, float w) { return {v.x, v.y, v.z, w}; }
 
 } // namespace
 
 Probe::Probe(const Scene& scene, const EffectSet& effects, std::uint32_t mutation)
-    : m_packed(packScene(scene, {}, effects, 1)),
+    : m_packed(packScene(scene, estimatorFor(effects), effects, 1)),
       m_constants(frameConstants(scene, m_packed.lightChoice, {}, scene.width, scene.height, 0)),
       m_scene(uploadScene(sharedContext(), m_packed)), m_bindings(sharedContext(), kLayout, sizeof(Dispatch)),
       m_frame(sharedContext(), "frame constants", sizeof(FrameConstants),
@@ -41,9 +46,11 @@ Probe::Probe(const Scene& scene, const EffectSet& effects, std::uint32_t mutatio
   m_bindings.bind(context, kBindingFrame, m_frame, DescriptorType::eUniformBuffer);
   m_bindings.bind(context, kBindingMaterials, m_scene.materials);
   m_bindings.bind(context, kBindingLights, m_scene.lights);
+  m_bindings.bind(context, kBindingLightNodes, m_scene.lightNodes);
   m_bindings.bind(context, kBindingEnvironment, m_scene.environment);
   for (const EffectInfo& e : allEffects())
     m_specialisation[static_cast<std::uint32_t>(e.effect)] = effects.has(e.effect) ? 1U : 0U;
+  m_specialisation[kConstantByLightTree] = m_packed.lightChoice.byTree ? 1U : 0U;
   m_specialisation[kConstantFilterShape] = static_cast<std::uint32_t>(scene.filter.shape);
   if (mutation != 0)
     m_specialisation.merge(mutatedKernel(mutation).constants());
@@ -108,8 +115,9 @@ std::vector<BsdfAnswer> Probe::evaluateBsdf(const View& view, std::span<const Ve
   return run<BsdfAnswer>(Routine::EvaluateBsdf, query, static_cast<std::uint32_t>(directions.size()), 0);
 }
 
-std::vector<LightDraw> Probe::sampleLight(const Vec3f& p, std::uint32_t count, std::uint32_t seed) {
-  return run<LightDraw>(Routine::SampleLight, {row(p, 0.0F), {}, {}}, count, seed);
+std::vector<LightDraw> Probe::sampleLight(const Vec3f& p, std::uint32_t count, std::uint32_t seed,
+                                          const Vec3f& n) {
+  return run<LightDraw>(Routine::SampleLight, {row(p, 0.0F), row(n, 0.0F), {}}, count, seed);
 }
 
 std::vector<EnvironmentDraw> Probe::sampleEnvironment(std::uint32_t count, std::uint32_t seed) {

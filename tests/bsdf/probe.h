@@ -57,7 +57,8 @@ public:
 
   [[nodiscard]] std::vector<BsdfDraw> sampleBsdf(const View& view, std::uint32_t count, std::uint32_t seed);
   [[nodiscard]] std::vector<BsdfAnswer> evaluateBsdf(const View& view, std::span<const Vec3f> directions);
-  [[nodiscard]] std::vector<LightDraw> sampleLight(const Vec3f& p, std::uint32_t count, std::uint32_t seed);
+  [[nodiscard]] std::vector<LightDraw> sampleLight(const Vec3f& p, std::uint32_t count, std::uint32_t seed,
+                                                   const Vec3f& n = Vec3f(0.0F));
   [[nodiscard]] std::vector<EnvironmentDraw> sampleEnvironment(std::uint32_t count, std::uint32_t seed);
   [[nodiscard]] std::vector<FilterDraw> sampleFilter(std::uint32_t count, std::uint32_t seed);
 

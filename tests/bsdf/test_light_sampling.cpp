@@ -1,8 +1,9 @@
 // The samplers beside the BSDFs: triangles, the choice of a light, the environment, reconstruction filters.
 #include "bsdf/cells.h"
 #include "bsdf/chi_square.h"
+#include "bsdf/oracle.h"
 #include "bsdf/probe.h"
-#include "device/light_table.h"
+#include "device/light_tree.h"
 #include "scenes/scene_builder.h"
 #include "scenes/statistics.h"
 
@@ -15,7 +16,7 @@ namespace vkpt::test {
 namespace {
 
 constexpr std::uint32_t kLightDraws = 1U << 18U;
-constexpr double kTests = 16; // chi-square tests in this file
+constexpr double kTests = 19; // chi-square tests in this file
 
 void expectLikely(const ChiSquare& result, const std::string& what) {
   EXPECT_GT(result.probability, kFamilyAlpha / kTests) << what << ": " << result.figures();
@@ -82,7 +83,8 @@ EnvironmentMap map(int width, int height) {
   return m;
 }
 
-TEST_F(Sampling, LightsAreChosenInProportionToTheirPower) {
+/// Nine triangles and one of each other kind of light.
+Scene twelveLights() {
   SceneBuilder builder;
   for (int i = 0; i < 9; ++i) {
     const double size = 0.2 + 0.3 * i;
@@ -93,36 +95,77 @@ TEST_F(Sampling, LightsAreChosenInProportionToTheirPower) {
   scene.pointLights.push_back({{}, Vec3f(1, 2, 3), Vec3f(5.0F)});
   scene.directionalLights.push_back({{}, Vec3f(0, -1, 0), Vec3f(0.05F)});
   scene.environment = map(8, 4);
-  Probe probe(scene, only({Effect::LightSampling, Effect::AreaLights, Effect::ManyLights, Effect::DeltaLights,
-                           Effect::Environment}));
-  const LightTable table = makeLightTable(scene, LightStrategy::Mis);
-  const auto& order = probe.packed().bvh.triangleOrder;
-  std::vector<double> expected;
-  std::vector<double> observed(table.lights.size());
-  std::map<int, std::size_t> index;
-  for (const LightSource& light : table.lights) {
-    int kind = 0;
-    switch (light.kind) {
-    case LightSource::Kind::Triangle:
-      kind = static_cast<int>(std::ranges::find(order, light.index) - order.begin());
-      break;
-    case LightSource::Kind::Environment:
-      kind = -1;
-      break;
-    case LightSource::Kind::Directional:
-      kind = -2;
-      break;
-    case LightSource::Kind::Point:
-      kind = -3;
-      break;
-    }
-    index[kind] = expected.size();
-    expected.push_back(light.probability * kLightDraws);
+  return scene;
+}
+
+/// As LightDraw::kind has it.
+int kindOf(const LightSource& light, const std::vector<std::uint32_t>& order) {
+  switch (light.kind) {
+  case LightSource::Kind::Triangle:
+    return static_cast<int>(std::ranges::find(order, light.index) - order.begin());
+  case LightSource::Kind::Environment:
+    return -1;
+  case LightSource::Kind::Directional:
+    return -2;
+  case LightSource::Kind::Point:
+    break;
   }
-  ASSERT_EQ(index.size(), 12U);
-  for (const LightDraw& d : probe.sampleLight(Vec3f(1, 3, 1), kLightDraws, seed()))
-    observed[index.at(static_cast<int>(d.kind))] += 1.0;
-  expectLikely(chiSquare(observed, expected), "lights");
+  return -3;
+}
+
+/// How often each light of the table is drawn.
+std::vector<double> countedLights(const LightTable& table, const PackedScene& packed,
+                                  const std::vector<LightDraw>& draws) {
+  std::map<int, std::size_t> index;
+  for (std::size_t i = 0; i < table.lights.size(); ++i)
+    index[kindOf(table.lights[i], packed.bvh.triangleOrder)] = i;
+  EXPECT_EQ(index.size(), table.lights.size());
+  std::vector<double> counted(table.lights.size());
+  for (const LightDraw& d : draws)
+    counted[index.at(static_cast<int>(d.kind))] += 1.0;
+  return counted;
+}
+
+const EffectSet kAllLights = only({Effect::LightSampling, Effect::AreaLights, Effect::ManyLights,
+                                   Effect::DeltaLights, Effect::Environment});
+
+TEST_F(Sampling, LightsAreChosenInProportionToTheirPower) {
+  const Scene scene = twelveLights();
+  Probe probe(scene, kAllLights);
+  const LightTable table = makeLightTable(scene, LightStrategy::Mis);
+  std::vector<double> expected;
+  for (const LightSource& light : table.lights)
+    expected.push_back(light.probability * kLightDraws);
+  const auto draws = probe.sampleLight(Vec3f(1, 3, 1), kLightDraws, seed());
+  expectLikely(chiSquare(countedLights(table, probe.packed(), draws), expected), "lights");
+}
+
+/// As often as weights count on, which find the way back up by themselves; seen from one side, from both,
+/// from among the lights.
+TEST_F(Sampling, LightsAreChosenByTheTreeAsItsProbabilitiesSay) {
+  const Scene scene = twelveLights();
+  EffectSet effects = kAllLights;
+  effects.set(Effect::LightTree);
+  Probe probe(scene, effects);
+  const Oracle oracle(probe.packed(), probe.constants(), effects);
+  const LightTable table = makeLightTable(scene, LightStrategy::Mis);
+  const LightTree tree = makeLightTree(scene, table);
+  struct Place {
+    Vec3f p, n;
+  };
+  for (const Place& place : {Place{Vec3f(1, 3, 1), Vec3f(0, -1, 0)}, Place{Vec3f(1, 3, 1), Vec3f(0.0F)},
+                             Place{Vec3f(12, 0.01F, 0.1F), Vec3f(0, 1, 0)}}) {
+    std::vector<double> expected;
+    double sum = 0.0;
+    for (const std::uint32_t leaf : tree.leafOfLight) {
+      const double probability = oracle.treeProbability(leaf, Vec3d(place.p), Vec3d(place.n));
+      sum += probability;
+      expected.push_back(probability * kLightDraws);
+    }
+    EXPECT_NEAR(sum, 1.0, 1e-12);
+    const auto draws = probe.sampleLight(place.p, kLightDraws, seed(), place.n);
+    expectLikely(chiSquare(countedLights(table, probe.packed(), draws), expected), "lights by the tree");
+  }
 }
 
 /// Four cells to a texel, equal in solid angle.

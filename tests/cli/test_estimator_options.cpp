@@ -171,6 +171,19 @@ TEST(LightTracing, IsThereWhereItCanBe) {
   EXPECT_FALSE(fs::exists(folder / "refused.png"));
 }
 
+/// By default where lights are spread out: not for the two triangles of a lamp.
+TEST(LightSelection, IsByTheTreeWhereItIsAskedFor) {
+  const WorkFolder folder;
+  const auto byTree = [&](std::vector<std::string> arguments) {
+    arguments.insert(arguments.end(), {"--size", "16x16", "--frames", "4"});
+    const auto effects = statsOf(folder, arguments)["effects"];
+    return std::ranges::find(effects, "lightTree") != effects.end();
+  };
+  EXPECT_FALSE(byTree({"cornell"}));
+  EXPECT_FALSE(byTree({"cornell", "--light-selection", "power"}));
+  EXPECT_TRUE(byTree({"cornell", "--light-selection", "tree"}));
+}
+
 TEST(Environment, LightsTheSceneAndIsSeen) {
   const WorkFolder folder;
   folder.write("far.obj", "v 100 0 0\nv 101 0 0\nv 100 1 0\nf 1 2 3\n");

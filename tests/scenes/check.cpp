@@ -6,7 +6,7 @@ std::vector<Check> ownChecks() {
   std::vector<Check> checks;
   for (const auto& some : {filmChecks(), lightChecks(), deltaChecks(), surfaceChecks(), environmentChecks(),
                            filterChecks(), rouletteChecks(), sobolChecks(), kindChecks(), splittingChecks(),
-                           strategyChecks(), pathChecks(), lightTracingChecks()})
+                           strategyChecks(), pathChecks(), lightTracingChecks(), lightTreeChecks()})
     checks.insert(checks.end(), some.begin(), some.end());
   return checks;
 }

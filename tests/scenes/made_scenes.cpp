@@ -122,6 +122,7 @@ EstimatorSettings everyOption() {
   settings.pathKinds = kAllPathKinds & ~1U;
   settings.kindImages = true;
   settings.specularSamples = 2;
+  settings.lightSelection = LightSelection::Tree;
   return settings;
 }
 

@@ -67,6 +67,7 @@ TEST_F(Identity, BatchesAndTilesChangeNothingInVariety) {
   EstimatorSettings settings = misSampling();
   settings.splitDepth = 5;
   settings.lightSamples = 2;
+  settings.lightSelection = LightSelection::Tree;
   settings.kindImages = true;
   RenderSetup setup{.estimator = settings, .width = 50, .height = 35, .frames = 21, .seed = seed()};
   Studio whole(sharedContext(), scene, setup);

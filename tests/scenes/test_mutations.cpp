@@ -39,7 +39,7 @@ constexpr Watch kWatches[] = {
     {Mutation::OffsetInward, "litFloorByNee"},
     {Mutation::RouletteCapped, "m3-roulette-by-channel"},
     {Mutation::LightBlockReused, "lightAndBsdfIndependent"},
-    {Mutation::NextLightBlockReused, "twoBouncesByNee"},
+    {Mutation::NextLightBlockReused, "rouletteAndNextLightIndependent"},
     {Mutation::SampleIgnored, "samplesDiffer"},
     {Mutation::BounceLimitOffByOne, "furnaceByBounces"},
     {Mutation::BackgroundTwice, "backgroundOnly"},
@@ -81,6 +81,9 @@ constexpr Watch kWatches[] = {
     {Mutation::RepeatsAlike, "repeatsAverage"},
     {Mutation::RepeatsNotAveraged, "repeatsAverage"},
     {Mutation::CarriedRepeatLost, "carriedFromLights"},
+    {Mutation::TreeShareDropped, "treeFindsTheNearLamp"},
+    {Mutation::TreeWeighedByPower, "glowByTree"},
+    {Mutation::CarriedVertexLost, "carriedByTree"},
 };
 
 std::vector<Check> checksFor(Mutation mutation) {

@@ -267,6 +267,34 @@ TEST(Effects, EachIsCalledForBySomething) {
   EXPECT_TRUE(detectEffects(scene, settings).has(Effect::LightTracing));
 }
 
+/// `count` lamps in a row, `apart` from each other, over a floor of 2 by 2.
+Scene lampsInARow(int count, double apart) {
+  SceneBuilder builder;
+  builder.floor(Vec3d(0.0), 1.0, diffuse(Vec3f(0.5F)));
+  for (int i = 0; i < count; ++i)
+    builder.triangle({apart * i - 0.9, 1, 0}, {apart * i - 0.88, 1, 0}, {apart * i - 0.9, 1, 0.02},
+                     emitter(Vec3f(1.0F)));
+  return builder.build();
+}
+
+TEST(Effects, ATreeIsForSeveralLightsThatAreSpreadOut) {
+  EstimatorSettings settings = misSampling();
+  const auto tree = [&](const Scene& scene) { return explainEffects(scene, settings).of(Effect::LightTree); };
+  const auto has = [&](const Scene& scene) { return detectEffects(scene, settings).has(Effect::LightTree); };
+  EXPECT_FALSE(has(lampsInARow(20, 0.09)));
+  EXPECT_EQ(tree(lampsInARow(20, 0.09)).because, "--light-selection power");
+  settings.lightSelection = LightSelection::Auto;
+  EXPECT_TRUE(has(lampsInARow(20, 0.09)));
+  EXPECT_EQ(tree(lampsInARow(20, 0.09)).because, "20 lights, spread out");
+  EXPECT_FALSE(has(lampsInARow(7, 0.25))) << "few";
+  EXPECT_FALSE(has(lampsInARow(20, 0.03))) << "in one small place";
+  EXPECT_EQ(tree(lampsInARow(20, 0.03)).because, "20 lights that are few or in one small place");
+  settings.lightSelection = LightSelection::Tree;
+  EXPECT_TRUE(has(lampsInARow(2, 0.01)));
+  EXPECT_FALSE(has(lampsInARow(1, 0.01)));
+  EXPECT_EQ(tree(lampsInARow(1, 0.01)).because, "one light needs no tree");
+}
+
 /// Each option and each part of the scene by itself keeps paths from the lights away, some even where they
 /// are asked for.
 TEST(Effects, PathsFromTheLightsNeedCausticsAndSpaceForThem) {

@@ -15,8 +15,8 @@ using namespace shared;
 
 /// Texels of everything but the BVH.
 std::size_t texels(const PackedScene& p) {
-  return p.triangles.size() + p.normals.size() + p.materials.size() + p.lights.size() + p.uvs.size() +
-         p.textures.size() + p.environment.size();
+  return p.triangles.size() + p.normals.size() + p.materials.size() + p.lights.size() + p.lightNodes.size() +
+         p.uvs.size() + p.textures.size() + p.environment.size();
 }
 
 Scene textured() {

@@ -1,5 +1,6 @@
 // The device against both host programs: the same paths, but for the few that rounding parts.
 
+#include "scenes/made_scenes.h"
 #include "scenes/render_fixture.h"
 #include "scenes/statistics.h"
 #include "unit/host/boxes.h"
@@ -21,6 +22,7 @@ void expectParity(const Film& device, const HostRender& host, double partedPerSa
 
 class DeviceParity : public RenderTest, public testing::WithParamInterface<BoxParity> {};
 using SplatParity = RenderTest;
+using TreeParity = RenderTest;
 
 TEST_P(DeviceParity, WalksThePathsOfTheHost) {
   const CornellScene box = cornellBox(GetParam().box, kSize, seed());
@@ -56,6 +58,23 @@ TEST_F(SplatParity, BringsTheSplatsOfTheHost) {
   const HostRender one = renderHost32(box.packed, box.scene, box.effects, box.settings, kFrames, 1);
   const HostRender two = renderHost32(box.packed, box.scene, box.effects, box.settings, kFrames, 2);
   EXPECT_TRUE(identical(one.film, two.film));
+}
+
+/// Lights of all kinds, chosen by the tree.
+TEST_F(TreeParity, WalksThePathsOfTheHost) {
+  const Scene scene = everything();
+  HostSettings settings{misSampling(), kSize, kSize, seed()};
+  settings.estimator.lightSelection = LightSelection::Tree;
+  const EffectSet effects = detectEffects(scene, settings.estimator);
+  EXPECT_TRUE(effects.has(Effect::LightTree));
+  const PackedScene packed = packScene(scene, settings.estimator, effects, 1);
+  const RenderSetup setup{
+      .estimator = settings.estimator, .width = kSize, .height = kSize, .frames = kFrames, .seed = seed()};
+  const Film device = render(scene, setup).film;
+  expectParity(device, renderHost32(packed, scene, effects, settings, kFrames, 2),
+               kBoxParities[1].partedInFloat * 2.0);
+  expectParity(device, renderHost64(packed, scene, effects, settings, kFrames, 2),
+               kBoxParities[1].partedInDouble * 2.0);
 }
 
 INSTANTIATE_TEST_SUITE_P(Boxes, DeviceParity, testing::ValuesIn(kBoxParities),
