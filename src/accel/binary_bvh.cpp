@@ -41,9 +41,9 @@ struct Halves {
 
 class BinaryBuilder {
 public:
-  BinaryBuilder(std::span<Primitive> primitives, Workers& workers)
-      : m_primitives(primitives), m_scratch(std::make_unique_for_overwrite<Primitive[]>(primitives.size())),
-        m_workers(workers) {
+  BinaryBuilder(std::span<Primitive> primitives, Leaves leaves, Workers& workers)
+      : m_primitives(primitives), m_leaves(leaves),
+        m_scratch(std::make_unique_for_overwrite<Primitive[]>(primitives.size())), m_workers(workers) {
     m_tree.nodes =
         std::make_unique_for_overwrite<BinaryNode[]>(primitives.size()); // pages unused stay unmapped
   }
@@ -62,6 +62,7 @@ private:
   void attach(const Range& r, std::uint32_t ref);
 
   std::span<Primitive> m_primitives;
+  Leaves m_leaves;
   std::unique_ptr<Primitive[]> m_scratch;
   Workers& m_workers;
   BinaryBvh m_tree;
@@ -114,7 +115,7 @@ std::optional<Halves> BinaryBuilder::splitBySurface(const Range& r) {
   if (!split)
     return std::nullopt;
   const double leafCost = kTriangleCost * r.size() * SurfaceMeasure(r.extent.bounds)(r.extent.bounds);
-  if (r.size() <= kMaxLeafTriangles && leafCost <= split->cost)
+  if (m_leaves == Leaves::Cheapest && r.size() <= kMaxLeafTriangles && leafCost <= split->cost)
     return std::nullopt;
   return partition(r, *split, map, chunks == 1 ? std::span<const BinGrid>(&first, 1) : grids);
 }
@@ -179,7 +180,8 @@ bool BinaryBuilder::divide(const Range& r, std::array<Range, 2>& children) {
   std::optional<Halves> halves;
   if (r.size() > 1 && r.levels > 0)
     halves = splitBySurface(r);
-  if (!halves && r.size() <= kMaxLeafTriangles) {
+  const std::uint32_t most = m_leaves == Leaves::Single && r.levels > 0 ? 1 : kMaxLeafTriangles;
+  if (!halves && r.size() <= most) {
     attach(r, child_ref::leaf(r.begin, r.size()));
     return false;
   }
@@ -240,9 +242,10 @@ std::uint32_t balancedLevels(std::size_t primitives) {
   return leaves <= 1 ? 0 : static_cast<std::uint32_t>(std::bit_width(leaves - 1));
 }
 
-BinaryBvh buildBinaryBvh(std::span<Primitive> primitives, std::uint32_t levels, Workers& workers) {
+BinaryBvh buildBinaryBvh(std::span<Primitive> primitives, std::uint32_t levels, Leaves leaves,
+                         Workers& workers) {
   assert(!primitives.empty() && levels >= balancedLevels(primitives.size()));
-  BinaryBvh tree = BinaryBuilder(primitives, workers).build(levels);
+  BinaryBvh tree = BinaryBuilder(primitives, leaves, workers).build(levels);
   setHeights(tree);
   return tree;
 }

@@ -35,9 +35,13 @@ struct BinaryBvh {
 /// Levels of inner nodes that a balanced tree over so many primitives has.
 std::uint32_t balancedLevels(std::size_t primitives);
 
+/// Whether small ranges become leaves where that is cheaper, or single primitives do as far as the levels go.
+enum class Leaves : std::uint8_t { Cheapest, Single };
+
 /// Permutes `primitives` (at least one) so that each leaf is a range of them. The tree has at most `levels`
 /// levels of inner nodes, which must be `balancedLevels` or more.
-BinaryBvh buildBinaryBvh(std::span<Primitive> primitives, std::uint32_t levels, Workers& workers);
+BinaryBvh buildBinaryBvh(std::span<Primitive> primitives, std::uint32_t levels, Leaves leaves,
+                         Workers& workers);
 
 /// Sets the height of every node.
 void setHeights(BinaryBvh& tree);

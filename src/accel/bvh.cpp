@@ -2,6 +2,9 @@
 
 #include "accel/binary_bvh.h"
 #include "accel/collapse.h"
+#include "accel/linked_tree.h"
+#include "accel/optimal_collapse.h"
+#include "accel/reinsertion.h"
 
 #include <algorithm>
 #include <cassert>
@@ -14,6 +17,11 @@ namespace {
 
 /// Below this many triangles a second thread costs more than it saves.
 constexpr std::size_t kMinThreadedTriangles = 8192;
+/// Above this the tree stays as it is split: what makes it better takes 200 bytes and a microsecond a
+/// triangle.
+constexpr std::size_t kMaxOptimised = std::size_t{1} << 22U;
+/// Levels of the binary tree where the four-wide one's depth is looked at in the end.
+constexpr std::uint32_t kFreeLevels = 128;
 constexpr std::size_t kBlock = std::size_t{1} << 16U;
 
 [[maybe_unused]] bool isFiniteBox(const Box3f& b) {
@@ -42,6 +50,13 @@ void forBlocks(accel::Workers& workers, std::size_t count, const Body& body) {
   });
 }
 
+/// As deep as it is best.
+Bvh buildBest(std::span<accel::Primitive> primitives, accel::Workers& workers) {
+  accel::LinkedTree tree(accel::buildBinaryBvh(primitives, kFreeLevels, accel::Leaves::Single, workers));
+  accel::reinsert(tree);
+  return accel::collapseOptimally(tree, primitives);
+}
+
 } // namespace
 
 std::uint32_t smallestBvhDepth(std::size_t triangles) {
@@ -59,9 +74,19 @@ Bvh buildBvh(std::span<const Box3f> bounds, const BvhSettings& settings) {
   accel::Workers workers(n < kMinThreadedTriangles ? 1U : settings.threads);
   const auto storage = std::make_unique_for_overwrite<accel::Primitive[]>(n);
   const std::span primitives(storage.get(), n);
-  forBlocks(workers, n, [&](std::size_t i) { primitives[i] = makePrimitive(bounds[i], i); });
+  const auto makePrimitives = [&] {
+    forBlocks(workers, n, [&](std::size_t i) { primitives[i] = makePrimitive(bounds[i], i); });
+  };
+  makePrimitives();
+  if (n <= kMaxOptimised) {
+    Bvh bvh = buildBest(primitives, workers);
+    if (bvh.depth <= maxDepth)
+      return bvh;
+    makePrimitives();
+  }
   // Two binary levels make one of width four.
-  const accel::BinaryBvh tree = accel::buildBinaryBvh(primitives, 2U * maxDepth, workers);
+  const accel::BinaryBvh tree =
+      accel::buildBinaryBvh(primitives, 2U * maxDepth, accel::Leaves::Cheapest, workers);
   Bvh bvh = accel::collapse(tree, maxDepth);
   bvh.triangleOrder.resize(n);
   forBlocks(workers, n, [&](std::size_t i) { bvh.triangleOrder[i] = primitives[i].index(); });

@@ -53,8 +53,9 @@ struct Bvh {
 };
 
 struct BvhSettings {
-  /// Of the four-wide tree; kept by excluding splits that would leave too many triangles for the levels
-  /// below. Raised to `smallestBvhDepth`, where even a balanced tree is deeper; 48 is enough for every input.
+  /// Of the four-wide tree; where the best one is deeper, kept by excluding splits that would leave too many
+  /// triangles for the levels below. Raised to `smallestBvhDepth`, where even a balanced tree is deeper; 48
+  /// is enough for every input.
   std::uint32_t maxDepth = 48;
   unsigned threads = 0; ///< 0: as many as the machine has
 };
@@ -62,10 +63,11 @@ struct BvhSettings {
 /// Depth of a balanced four-wide tree over so many triangles: no smaller limit can be kept.
 std::uint32_t smallestBvhDepth(std::size_t triangles);
 
-/// Builds by binned surface area heuristic (Wald 2007, "On fast construction of SAH-based BVHs"), collapsed
-/// to four children. `bounds[i]` is triangle i's box: finite, not empty, at most `kMaxBvhTriangles` of them
-/// (asserted). A node's boxes are the exact float minima and maxima of what they hold. The result does not
-/// depend on `threads`. No triangles: a root with four absent children.
+/// Builds by binned surface area heuristic (Wald 2007, "On fast construction of SAH-based BVHs"), moves
+/// subtrees to where they cost less, and collapses to four children at the least cost; greedily without
+/// moving where that would be deeper than the limit. `bounds[i]` is triangle i's box: finite, not empty, at
+/// most `kMaxBvhTriangles` of them (asserted). A node's boxes are the exact float minima and maxima of what
+/// they hold. The result does not depend on `threads`. No triangles: a root with four absent children.
 Bvh buildBvh(std::span<const Box3f> bounds, const BvhSettings& settings = {});
 
 } // namespace vkpt

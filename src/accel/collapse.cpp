@@ -62,6 +62,8 @@ Children chooseChildren(const BinaryBvh& tree, std::uint32_t node, std::uint32_t
   return c;
 }
 
+} // namespace
+
 void setChild(BvhNode& node, std::uint32_t i, const Bounds& b, std::uint32_t ref) {
   node.lowerX[i] = b.lower[0];
   node.lowerY[i] = b.lower[1];
@@ -78,8 +80,6 @@ BvhNode absentNode() {
     setChild(node, i, kAbsentBounds, child_ref::kAbsent);
   return node;
 }
-
-} // namespace
 
 Bvh collapse(const BinaryBvh& tree, std::uint32_t maxDepth) {
   Bvh bvh;

@@ -13,4 +13,8 @@ namespace vkpt::accel {
 /// be at least half the height of `tree` (rounded up) and 1.
 Bvh collapse(const BinaryBvh& tree, std::uint32_t maxDepth);
 
+void setChild(BvhNode& node, std::uint32_t i, const Bounds& b, std::uint32_t ref);
+/// A node whose children are all absent.
+BvhNode absentNode();
+
 } // namespace vkpt::accel

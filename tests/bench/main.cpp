@@ -84,7 +84,8 @@ void runScenes(const Options& o) {
 void runScaling(const Options& o) {
   const gpu::Context context;
   nlohmann::json json{{"schema", 2}, {"benchmark", "scaling"}, {"device", context.info().name}};
-  fmt::print("one core of {}, medians, time of the processor; the build by the clock\n", context.info().name);
+  fmt::print("one core of {}, medians, time of the processor; the build by the clock, shortest\n",
+             context.info().name);
   json.update(measureScaling(context, o.turns, o.size));
   fmt::print("{}\n", json.dump());
 }

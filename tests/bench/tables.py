@@ -118,9 +118,10 @@ def main():
     for maker in (yardstick, errors, scaling):
         name = maker.__name__
         made = maker(json.loads((RESULTS / f"{name}.json").read_text()))
-        text, times = re.subn(f"(?s)(<!-- table {name} -->\n\n).*?(\n<!-- end -->)", lambda m: m[1] + made + m[2], text)
+        text, times = re.subn(f"(?s)(<!-- table {name} -->\n).*?(<!-- end -->)",
+                              lambda m: f"{m[1]}\n{made}\n{m[2]}", text)
         if times != 1:
-            sys.exit(f"README.md has no place for the table: <!-- table {name} -->, a blank line, <!-- end -->")
+            sys.exit(f"README.md has no place for the table: <!-- table {name} -->, <!-- end -->")
     if not check:
         readme.write_text(text)
     elif text != old:

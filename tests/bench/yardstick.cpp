@@ -27,6 +27,7 @@ constexpr std::initializer_list<Effect> kBoxEffects = {Effect::Diffuse,    Effec
                                                        Effect::ManyLights, Effect::LightSampling,
                                                        Effect::Roulette,   Effect::Mis};
 constexpr std::uint64_t kBlocks = bitsOf(kBoxEffects);
+constexpr std::uint64_t kLights = kBlocks | bitsOf({Effect::LightTree});
 constexpr std::uint64_t kMesh = kBlocks | bitsOf({Effect::SmoothNormals});
 constexpr std::uint64_t kSpheres = kMesh | bitsOf({Effect::Glass, Effect::Metal});
 constexpr std::uint64_t kBusts = kMesh | bitsOf({Effect::Phong, Effect::OneSided, Effect::PixelFilter});
@@ -61,6 +62,7 @@ void withProgram(const PackedScene& scene, const EmbreeScene& embree, const Scen
     use(program);
   };
   attempt(std::integral_constant<std::uint64_t, kBlocks>{});
+  attempt(std::integral_constant<std::uint64_t, kLights>{});
   attempt(std::integral_constant<std::uint64_t, kSpheres>{});
   attempt(std::integral_constant<std::uint64_t, kMesh>{});
   attempt(std::integral_constant<std::uint64_t, kBusts>{});
