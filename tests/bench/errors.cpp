@@ -36,12 +36,17 @@ struct Named {
   const char* name;
   EstimatorSettings estimator;
 };
-const std::array<Named, 4> kEstimators{{
+const std::array<Named, 5> kEstimators{{
     {"plain", {.light = LightStrategy::Nee}},
     {"sobol, mis", {.sampler = Sampler::Sobol}},
-    {"and light tracing", {.sampler = Sampler::Sobol, .lightTracing = LightTracing::Auto}},
+    {"and the tree of lights", {.sampler = Sampler::Sobol, .lightSelection = LightSelection::Auto}},
+    {"and light tracing",
+     {.sampler = Sampler::Sobol, .lightSelection = LightSelection::Auto, .lightTracing = LightTracing::Auto}},
     {"and specular samples",
-     {.sampler = Sampler::Sobol, .lightTracing = LightTracing::Auto, .specularSamples = 4}},
+     {.sampler = Sampler::Sobol,
+      .lightSelection = LightSelection::Auto,
+      .lightTracing = LightTracing::Auto,
+      .specularSamples = 4}},
 }};
 
 StudySetting settingOf(const Scene& scene, const EstimatorSettings& estimator) {
