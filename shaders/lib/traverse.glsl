@@ -20,8 +20,9 @@ struct SlabRay {
 
 // The triangle test sees a ray through a basis that rounding turns a little: by so much of the way a hit may lie aside
 // of where d leads, and no box may be missed for it. (Rounding of the basis, 4 ulp in each of two vectors, and of the
-// projection, 4 ulp of the way.)
-CONSTANT Float kAside = 8.0 * kEpsilon;
+// projection, 4 ulp of the way.) A third more makes up for the three roundings of a slab's distance (Ize 2013, "Robust
+// BVH Ray Traversal", JCGT 2(2)): no component is above 1, so the inverses put both ends off by at least as much.
+CONSTANT Float kAside = 12.0 * kEpsilon;
 
 SlabRay makeSlabRay(Vec3 d) {
   SlabRay s;
@@ -33,9 +34,8 @@ SlabRay makeSlabRay(Vec3 d) {
   return s;
 }
 
-// Sort keys of the four children: the distance with the child's slot in the low bits, or kMiss. Conservative:
-// the far distance is stretched by twice the rounding of its three operations (Ize 2013, "Robust BVH Ray
-// Traversal", JCGT 2(2)).
+// Sort keys of the four children: the distance with the child's slot in the low bits, or kMiss. Conservative by the
+// ray's inverses.
 UVec4 intersectChildren(uint node, SlabRay slab, Vec3 o, Float tMax) {
   Vec4 nearX = (nodeBounds(node, slab.nearX) - o.x) * slab.nearInverse.x;
   Vec4 nearY = (nodeBounds(node, slab.nearY) - o.y) * slab.nearInverse.y;
@@ -44,8 +44,7 @@ UVec4 intersectChildren(uint node, SlabRay slab, Vec3 o, Float tMax) {
   Vec4 farY = (nodeBounds(node, slab.nearY ^ 1u) - o.y) * slab.farInverse.y;
   Vec4 farZ = (nodeBounds(node, slab.nearZ ^ 1u) - o.z) * slab.farInverse.z;
   Vec4 near = slabMax(slabMax(nearX, nearY), slabMax(nearZ, Vec4(0.0)));
-  Float stretch = MUTATE(SlabsNotStretched, 1.0 + 4.0 * kEpsilon, 1.0);
-  Vec4 far = slabMin(slabMin(farX, farY), slabMin(farZ, Vec4(tMax))) * stretch;
+  Vec4 far = slabMin(slabMin(farX, farY), slabMin(farZ, Vec4(tMax)));
   UVec4 keys;
   keys.x = near.x <= far.x ? (orderKey(near.x) & ~3u) : kMiss;
   keys.y = near.y <= far.y ? ((orderKey(near.y) & ~3u) | 1u) : kMiss;

@@ -113,7 +113,6 @@
   X(82, AbsoluteOffset, "rays start 1e-4 off the surface, whatever the scene's size")                        \
   X(83, FrisvadFrame, "frames divide by 1 + n.z")                                                            \
   X(84, InfiniteInverse, "a component of 0 has an infinite inverse in the slab test")                        \
-  X(85, SlabsNotStretched, "boxes are as thin as rounding makes them")                                       \
   X(86, TiesAtRandom, "of two triangles at one distance the later one is hit")                               \
   X(89, BoxesMissedAside, "boxes are met where the direction leads, triangles where the basis does")         \
   X(90, HitsUpToTheEdge, "points of triangles are so close to edges that rounding puts them beyond")

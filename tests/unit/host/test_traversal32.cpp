@@ -133,6 +133,17 @@ TEST(HostTriangle, NoRaySlipsThroughSharedEdgesAndVertices) { // W2
   EXPECT_EQ(missed, 0);
 }
 
+/// Corners on a line, and the ray for which another renderer found a hit (pbrt's shapes_test.cpp, BadCases).
+/// The loaders drop such a triangle; where one is left, it takes aim to hit it.
+TEST(HostTriangle, CornersOnALineAreNotHitFromFarOff) { // W5
+  const Corners c{Vec3(-1113.45459, -79.049614, -56.2431908), Vec3(-1113.45459, -87.0922699, -56.2431908),
+                  Vec3(-1113.45459, -79.2090149, -56.2431908)};
+  Stage stage(std::vector<Corners>{c});
+  const Vec3d eye(-1081.47925L, 99.9999542L, 87.7701111L);
+  const Vec3d along(-32.1072998L, -183.355865L, -144.607635L);
+  EXPECT_EQ(stage.lib.traceClosest(makeRay(eye, eye + along)).triangle, Library::kNoTriangle);
+}
+
 /// Every triangle tried, ties to the lower id: what the traversal must find.
 Library::Hit bruteForce(Library& lib, std::size_t triangles, const Library::Ray& ray) {
   Library::Hit hit;
