@@ -255,7 +255,9 @@ void reportTraversal(uint steps, bool cut) {
   if (cut) reportCut();
 }
 // An iteration of one loop, where a step of a traversal counts for 1 + kNodesPerStep + kLeafTriangles.
-void reportLightWalk(uint levels) { g_steps += subgroupMaximum(levels) / 7u + 1u; }
+void reportLightWalk(uint levels) {
+  g_steps += subgroupMaximum(levels) / (1u + kNodesPerStep + kLeafTriangles) + 1u;
+}
 void reportClosestRay() { g_raysClosest += 1u; }
 void reportShadowRay(bool traced) { g_raysShadow += traced ? 1u : 0u; }
 void reportCappedPath() { g_cappedPaths += 1u; }

@@ -9,6 +9,13 @@
 
 namespace vkpt {
 
+Box3d sceneBox(const Scene& scene) {
+  Box3d box;
+  for (const Vec3f& p : scene.positions)
+    box.extend(Vec3d(p));
+  return box;
+}
+
 double triangleArea(const Scene& scene, const Triangle& t) {
   const Vec3d a = scene.positions[t.vertex[0]];
   const Vec3d b = scene.positions[t.vertex[1]];
@@ -73,9 +80,7 @@ double channelSum(const Vec3f& v) { return static_cast<double>(v.x) + v.y + v.z;
 
 /// Of the sphere about the scene.
 double squaredRadius(const Scene& scene) {
-  Box3d box;
-  for (const Vec3f& p : scene.positions)
-    box.extend(Vec3d(p));
+  const Box3d box = sceneBox(scene);
   const Vec3d half = 0.5 * box.extent();
   return box.empty() ? 1.0 : glm::dot(half, half);
 }

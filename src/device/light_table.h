@@ -14,6 +14,9 @@ std::vector<std::uint32_t> emissiveTriangles(const Scene& scene);
 /// Whether there is an environment map that is not black.
 bool hasEnvironment(const Scene& scene);
 
+/// About all vertices.
+Box3d sceneBox(const Scene& scene);
+
 double triangleArea(const Scene& scene, const Triangle& triangle);
 
 /// Solid angle of one texel in each row of a map in latitude and longitude, sr.

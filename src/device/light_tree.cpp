@@ -18,13 +18,6 @@ constexpr std::uint32_t kLightBins = 12;
 
 double angleOf(double cosine) { return std::acos(std::clamp(cosine, -1.0, 1.0)); }
 
-Box3d boxOf(const Scene& scene) {
-  Box3d box;
-  for (const Vec3f& p : scene.positions)
-    box.extend(Vec3d(p));
-  return box;
-}
-
 /// Solid angle of the directions that lights below shine in, weighed by their cosine; the paper's
 /// section 4.4.
 double orientationMeasure(const LightBounds& b) {
@@ -209,7 +202,7 @@ bool areSpread(const Scene& scene, const LightTable& table) {
   constexpr double kSmallPlace = 0.25; // of the scene's size
   if (table.lights.size() < kFew)
     return false;
-  const Box3d whole = boxOf(scene);
+  const Box3d whole = sceneBox(scene);
   Box3d place;
   for (const LightSource& light : table.lights)
     place.extend(boundsOfLight(scene, light, whole).box);
@@ -254,7 +247,7 @@ bool choosesByTree(const Scene& scene, const EstimatorSettings& settings, const 
 }
 
 LightTree makeLightTree(const Scene& scene, const LightTable& table) {
-  const Box3d whole = boxOf(scene);
+  const Box3d whole = sceneBox(scene);
   std::vector<LightBounds> lights;
   lights.reserve(table.lights.size());
   for (const LightSource& light : table.lights)
