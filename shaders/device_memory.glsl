@@ -2,6 +2,8 @@
 // than storage buffers. A program for another device changes this file alone.
 // Written as rgba32ui: a denormal float that carries an integer could be flushed to 0.
 
+#include "lib/block.glsl"
+
 #define VKPT_DECLARE_EFFECT(id, Name, name, what) layout(constant_id = id) const bool kEffect##Name = true;
 VKPT_EFFECTS(VKPT_DECLARE_EFFECT)
 layout(constant_id = 64) const uint kStackDepth = kMaxStackDepth; // kConstantStackDepth
@@ -10,6 +12,8 @@ layout(constant_id = 66) const uint kFilterShape = 0u; // kConstantFilterShape
 layout(constant_id = 68) const uint kSampler = kSamplerIndependent; // kConstantSampler
 layout(constant_id = 69) const bool kFromLight = false; // kConstantFromLight
 layout(constant_id = 70) const bool kByLightTree = false; // kConstantByLightTree
+layout(constant_id = 71) const uint kReuseEdge = 1u; // kConstantReuseEdge
+layout(constant_id = 72) const uint kStep = kStepPaths; // kConstantStep
 
 layout(set = 0, binding = kBindingFrame, std140) uniform FrameBlock { FrameConstants frame; };
 
@@ -146,6 +150,7 @@ vec3 specularLower(uint i) { return frame.specularLower[i].xyz; }
 vec3 specularUpper(uint i) { return frame.specularUpper[i].xyz; }
 float splatUnits() { return frame.splatUnits; }
 float splatSquareUnits() { return frame.splatSquareUnits; }
+float sharedEyePdf_A() { return frame.sharedEyePdf_A; }
 uint imageWidth() { return frame.width; }
 uint imageHeight() { return frame.height; }
 vec3 cameraForward() { return frame.forward.xyz; }
@@ -175,6 +180,11 @@ uint g_pixel = 0u;
 uint g_sample = 0u; // low half of its index
 uint g_bounce = 0u;
 
+vec3 filmColour(uint plane, uint pixel) {
+  return vec3(uintBitsToFloat(film[plane].values[pixel]), uintBitsToFloat(film[plane + 1u].values[pixel]),
+              uintBitsToFloat(film[plane + 2u].values[pixel]));
+}
+
 // Plane p of the saved path states.
 uint statePlane(uint p, uint slot) { return p * job.slotCount + slot; }
 
@@ -197,6 +207,92 @@ Branch loadBranch(uint i) {
   b.beta = uintBitsToFloat(beta.xyz);
   b.bounce = beta.w;
   return b;
+}
+
+// --- which pixel a lane works on ---
+
+// Blocks are dealt out stripe by stripe, so that every range of them, a tile's or one thread's share of it, is
+// spread over the image.
+bool pixelOfSlot(uint slot, out uint x, out uint y) {
+  uint striped = job.firstBlock + slot / kBlockPixels;
+  uint block = (striped % kStripes) * frame.blocksPerStripe + striped / kStripes;
+  x = (block % frame.blocksX) * kBlockEdge + columnInBlock(slot % kBlockPixels);
+  y = (block / frame.blocksX) * kBlockEdge + rowInBlock(slot % kBlockPixels);
+  return x < frame.width && y < frame.height && striped / kStripes < frame.blocksPerStripe;
+}
+
+// --- paths that pixels share ---
+layout(set = 0, binding = kBindingReuse, rgba32ui) uniform restrict uimageBuffer reuseTexels;
+layout(set = 0, binding = kBindingConnections, r32ui) uniform restrict uimageBuffer connectionTexels;
+
+bool leavesVertices() { return kStep == kStepFirstVertices; }
+int sharedTexel(uint slot, uint sampleLow, uint i) {
+  uint texels = kTexelsPerSharedPath + kTexelsPerBegunPath + (kEffectLightTree ? kVertexPlanes : 0u);
+  return int(((sampleLow - job.firstSample) * texels + i) * job.slotCount + slot);
+}
+int connectionTexel(uint slot, uint sampleLow, uint member) {
+  return int((member * job.sampleCount + sampleLow - job.firstSample) * job.slotCount + slot);
+}
+void storeShared(uint slot, uint sampleLow, uint i, vec3 v, uint w) {
+  imageStore(reuseTexels, sharedTexel(slot, sampleLow, i), uvec4(floatBitsToUint(v), w));
+}
+uvec4 loadShared(uint slot, uint sampleLow, uint i) { return imageLoad(reuseTexels, sharedTexel(slot, sampleLow, i)); }
+
+// Of the lane's path, until all that it leaves is stored together: a store in a branch costs as much as one outside.
+FirstVertex g_firstVertex;
+SecondVertex g_secondVertex;
+vec3 g_ownLight;
+void keepFirstVertex(FirstVertex a) { g_firstVertex = a; }
+void keepSecondVertex(SecondVertex b, vec3 own) {
+  g_secondVertex = b;
+  g_ownLight = own;
+}
+void storeVertices(uint slot, uint sampleLow) {
+  storeShared(slot, sampleLow, 0u, g_firstVertex.o, floatBitsToUint(g_firstVertex.ng.x));
+  storeShared(slot, sampleLow, 1u, g_firstVertex.n, floatBitsToUint(g_firstVertex.ng.y));
+  storeShared(slot, sampleLow, 2u, g_firstVertex.weight, floatBitsToUint(g_firstVertex.ng.z));
+  storeShared(slot, sampleLow, 3u, g_secondVertex.end, g_secondVertex.triangle);
+  storeShared(slot, sampleLow, 4u, g_secondVertex.ng, g_secondVertex.pixel);
+}
+FirstVertex firstVertex(uint slot, uint sampleLow) {
+  uvec4 o = loadShared(slot, sampleLow, 0u);
+  uvec4 n = loadShared(slot, sampleLow, 1u);
+  uvec4 weight = loadShared(slot, sampleLow, 2u);
+  FirstVertex a;
+  a.o = uintBitsToFloat(o.xyz);
+  a.n = uintBitsToFloat(n.xyz);
+  a.ng = uintBitsToFloat(uvec3(o.w, n.w, weight.w));
+  a.weight = uintBitsToFloat(weight.xyz);
+  return a;
+}
+SecondVertex secondVertex(uint slot, uint sampleLow) {
+  uvec4 end = loadShared(slot, sampleLow, 3u);
+  uvec4 ng = loadShared(slot, sampleLow, 4u);
+  SecondVertex b;
+  b.end = uintBitsToFloat(end.xyz);
+  b.triangle = end.w;
+  b.ng = uintBitsToFloat(ng.xyz);
+  b.pixel = ng.w;
+  return b;
+}
+// Of a sample whose path has ended; one store for either.
+void storeLight(uint slot, uint sampleLow, bool isShared, vec3 L) {
+  storeShared(slot, sampleLow, isShared ? 5u : 6u, L, 0u);
+}
+vec3 ownLight(uint slot, uint sampleLow) { return uintBitsToFloat(loadShared(slot, sampleLow, 6u).xyz); }
+void storeOwnLight(uint slot, uint sampleLow, vec3 L) { storeLight(slot, sampleLow, false, L); }
+SharedLight sharedLight(uint slot, uint sampleLow) {
+  uvec4 a = loadShared(slot, sampleLow, 5u);
+  return SharedLight(uintBitsToFloat(a.xyz), uintBitsToFloat(a.w));
+}
+void storeBalance(uint slot, uint sampleLow, float pdf_A) {
+  storeShared(slot, sampleLow, 5u, sharedLight(slot, sampleLow).L, floatBitsToUint(pdf_A));
+}
+void storeConnection(uint slot, uint sampleLow, uint member, float pdf_A) {
+  imageStore(connectionTexels, connectionTexel(slot, sampleLow, member), uvec4(floatBitsToUint(pdf_A)));
+}
+float connection(uint slot, uint sampleLow, uint member) {
+  return uintBitsToFloat(imageLoad(connectionTexels, connectionTexel(slot, sampleLow, member)).x);
 }
 
 void addToSplat(uint number, WideCount n) {
@@ -240,10 +336,19 @@ uint g_cappedPaths = 0u;
 uint g_nonFinite = 0u;
 uint g_invalidPdfs = 0u;
 
-// The first faults of a dispatch are recorded, so that a path can be traced again.
+// The first faults of a dispatch are recorded, so that a path can be traced again: of a lane one, written at the end, since
+// on lavapipe a store in a branch costs the same whether it is taken or not.
+FaultRecord g_fault;
+bool g_hasFault = false;
 void recordFault(uint cause) {
-  uint i = atomicAdd(counters.faultRecords, 1u);
-  if (i < kMaxFaultRecords) counters.records[i] = FaultRecord(g_pixel, g_sample, g_bounce, cause);
+  if (!g_hasFault) g_fault = FaultRecord(g_pixel, g_sample, g_bounce, cause);
+  g_hasFault = true;
+}
+void storeFault() {
+  if (g_hasFault) {
+    uint i = atomicAdd(counters.faultRecords, 1u);
+    if (i < kMaxFaultRecords) counters.records[i] = g_fault;
+  }
 }
 
 void reportCut() {
@@ -288,19 +393,12 @@ void addCounters(bool carried) {
     atomicAdd(counters.cutTraversal, cutTraversals);
     atomicAdd(counters.invalidPdf, invalidPdfs);
   }
+  storeFault();
 }
-
-// --- which pixel a lane works on ---
-
-// Blocks are dealt out stripe by stripe, so that every range of them, a tile's or one thread's share of it, is
-// spread over the image. Within a block pixels lie in Morton order: a subgroup of 8 is a tile of 4 x 2.
-bool pixelOfSlot(uint slot, out uint x, out uint y) {
-  uint striped = job.firstBlock + slot / kBlockPixels;
-  uint block = (striped % kStripes) * frame.blocksPerStripe + striped / kStripes;
-  uint lane = slot % kBlockPixels;
-  uint mx = (lane & 1u) | ((lane >> 1u) & 2u) | ((lane >> 2u) & 4u);
-  uint my = ((lane >> 1u) & 1u) | ((lane >> 2u) & 2u) | ((lane >> 3u) & 4u);
-  x = (block % frame.blocksX) * kBlockEdge + mx;
-  y = (block / frame.blocksX) * kBlockEdge + my;
-  return x < frame.width && y < frame.height && striped / kStripes < frame.blocksPerStripe;
+// The same of lanes that have traced nothing but a shadow ray.
+void addShadowRays() {
+  uint raysShadow = subgroupAdd(g_raysShadow);
+  if (subgroupElect()) atomicAdd(counters.raysShadow, raysShadow);
+  if (g_cutTraversals > 0u) atomicAdd(counters.cutTraversal, g_cutTraversals);
+  storeFault();
 }

@@ -5,6 +5,9 @@
 // starts its pixel's next sample, so that no lane waits for the longest path; and none waits long for another's ray:
 // the subgroup shades when most of its lanes have their hits, and the others go on with their rays after that. What
 // does not fit into the step budget is saved, listed, and goes on in the next dispatch.
+//
+// Where pixels share paths there are four more steps, kernels of their own by kStep: before, the first two vertices of
+// all paths, which leave what is shared; behind, what is in reuse_steps.glsl.
 
 #include "shared/language.h"
 #include "shared/structs.h"
@@ -23,6 +26,9 @@ layout(constant_id = 67) const uint kPrimaryView = kPrimaryBaseColour; // kConst
 
 layout(local_size_x = 64) in; // kBlockPixels
 
+// Whether the paths have been begun by kStepFirstVertices.
+bool pathsAreBegun() { return reusesPaths() && !kFromLight; }
+
 // A subgroup shades when so many eighths of its lanes have their hits. Shading costs as much as eight nodes; by the
 // number of iterations on the Cornell boxes 4 and 6 would be 2 % slower.
 const uint kLanesWaiting = 5u;
@@ -40,21 +46,39 @@ struct Work {
 
 uint randomKey() { return frame.seed ^ MUTATE(SampleHighIgnored, job.firstSampleHigh * 0x9E3779B9u, 0u); }
 
+// In 16 bits.
+uint pathFlags(Path path) {
+  return (path.emit ? 1u : 0u) | (path.waiting << 1u) | (path.history << 6u) | (path.repeat << 10u) |
+         (path.repeats > 1u ? 1u << 14u : 0u);
+}
+void setPathFlags(inout Path path, uint flags) {
+  path.emit = MUTATE(CarriedEmitLost, (flags & 1u) != 0u, true);
+  path.waiting = MUTATE(CarriedBranchLost, (flags >> 1u) & 31u, 0u);
+  path.history = MUTATE(CarriedHistoryLost, (flags >> 6u) & 15u, kHistoryEye);
+  path.repeat = MUTATE(CarriedRepeatLost, (flags >> 10u) & 15u, 0u);
+  path.repeats = ((flags >> 14u) & 1u) != 0u ? specularSamples() : 1u;
+}
+
+#include "begun_paths.glsl"
+
 Path pathOfSample(Work work, uint i) {
   if (kFromLight) return lightPath(work.pixel, job.firstSample + i, randomKey());
+  if (pathsAreBegun()) return begunPath(work.slot, work.pixel, job.firstSample + i);
   return cameraPath(work.pixel, work.x, work.y, job.firstSample + i, randomKey());
 }
 
 // Which samples of the batch need work, a bit each: of those that take a path from a light, the ones that may become
-// caustics. All lanes look at all of theirs together: later, one by one, the others would have to wait.
+// caustics; of those that are begun, the ones that go on. All lanes look at all of theirs together: later, one by one, the others would have to wait.
 uint samplesToDo(Work work) {
   uint all = (1u << job.sampleCount) - 1u;
-  if (!kFromLight) return all;
+  if (!kFromLight && !pathsAreBegun()) return all;
   uint some = 0u;
   uint count = subgroupMaximum(job.sampleCount);
   uint i = 0u;
   do {
-    if (mayBecomeCaustic(pathOfSample(work, i).ray)) some |= 1u << i;
+    bool wanted = pathsAreBegun() ? begunPathGoesOn(work.slot, job.firstSample + i)
+                                  : mayBecomeCaustic(pathOfSample(work, i).ray);
+    if (wanted) some |= 1u << i;
     i += 1u;
   } while (i < count);
   g_steps += count;
@@ -63,19 +87,13 @@ uint samplesToDo(Work work) {
 
 uint nextSample(Work work) { return work.open == 0u ? 0u : uint(findLSB(work.open)); }
 
-vec3 filmColour(uint plane, uint pixel) {
-  return vec3(uintBitsToFloat(film[plane].values[pixel]), uintBitsToFloat(film[plane + 1u].values[pixel]),
-              uintBitsToFloat(film[plane + 2u].values[pixel]));
-}
-
 uint vertexPlane() { return kPathPlanes + splitDepth() * kBranchPlanes; } // behind the branches
 
 void savePath(Work work, Path path) {
-  uint flags = (path.emit ? 1u : 0u) | (path.waiting << 1u) | (path.history << 6u) | (path.repeat << 10u) |
-               (path.repeats > 1u ? 1u << 14u : 0u) | (work.open << 16u);
+  uint flags = pathFlags(path) | (work.open << 16u);
   pathPlanes[statePlane(0u, work.slot)] = uvec4(floatBitsToUint(path.ray.o), floatBitsToUint(path.otherPdf_A));
   pathPlanes[statePlane(1u, work.slot)] = uvec4(floatBitsToUint(path.ray.d), path.ray.exclude);
-  pathPlanes[statePlane(2u, work.slot)] = uvec4(floatBitsToUint(path.beta), path.bounce | (path.branch << 14u));
+  pathPlanes[statePlane(2u, work.slot)] = uvec4(floatBitsToUint(path.beta), path.bounce | (path.branch << 14u) | (path.reuse << 30u));
   pathPlanes[statePlane(3u, work.slot)] = uvec4(floatBitsToUint(path.L), flags);
   pathPlanes[statePlane(4u, work.slot)] = uvec4(floatBitsToUint(work.mean), floatBitsToUint(path.pdf_w));
   pathPlanes[statePlane(5u, work.slot)] = uvec4(floatBitsToUint(work.deviations), floatBitsToUint(path.sampleWeight));
@@ -98,13 +116,10 @@ void loadPath(inout Work work, inout Path path) {
   path.ray.exclude = b.w;
   path.beta = MUTATE(CarriedThroughputLost, uintBitsToFloat(c.xyz), vec3(1.0));
   path.bounce = c.w & 0x3FFFu;
-  path.branch = c.w >> 14u;
+  path.branch = (c.w >> 14u) & 0xFFFFu;
+  path.reuse = MUTATE(CarriedReuseLost, c.w >> 30u, kReuseAlone);
   path.L = uintBitsToFloat(d.xyz);
-  path.emit = MUTATE(CarriedEmitLost, (d.w & 1u) != 0u, true);
-  path.waiting = MUTATE(CarriedBranchLost, (d.w >> 1u) & 31u, 0u);
-  path.history = MUTATE(CarriedHistoryLost, (d.w >> 6u) & 15u, kHistoryEye);
-  path.repeat = MUTATE(CarriedRepeatLost, (d.w >> 10u) & 15u, 0u);
-  path.repeats = ((d.w >> 14u) & 1u) != 0u ? specularSamples() : 1u;
+  setPathFlags(path, d.w);
   work.open = d.w >> 16u;
   path.sampleLow = job.firstSample + nextSample(work);
   work.mean = uintBitsToFloat(e.xyz);
@@ -141,14 +156,21 @@ bool startWork(out Work work, out Path path) {
   return any && work.open != 0u;
 }
 
-void finishSample(inout Work work, vec3 L) {
+// owner: the path of the sample that is done.
+void finishSample(inout Work work, Path owner) {
+  vec3 L = reusesPaths() ? owner.L : sampleValue(owner);
   if (!(isFinite(L.x) && isFinite(L.y) && isFinite(L.z))) {
     if (MUTATE(FaultsHidden, true, false)) reportNonFinite();
     L = vec3(0.0); // counts as a sample of 0; the fault is reported
   }
   if (kFromLight) return; // what it has brought lies with other pixels
-  float n = float(job.firstSample % kSamplesPerGroup + job.sampleCount - uint(bitCount(work.open)));
-  addSample(work.mean, work.deviations, n, L);
+  if (reusesPaths()) {
+    bool isShared = owner.reuse == kReuseShared;
+    storeLight(work.slot, owner.sampleLow, isShared, isShared ? L : L * owner.sampleWeight);
+  } else {
+    uint done = job.sampleCount - uint(bitCount(work.open)); // of this batch
+    addSample(work.mean, work.deviations, float(job.firstSample % kSamplesPerGroup + done), L);
+  }
 }
 
 // A lane's rays, traced one after the other: the shadow ray of the vertex that it left, then the ray to the next one.
@@ -162,6 +184,8 @@ struct Rays {
   bool pathOver; // `direct` belongs to a path that is over, of which these are left:
   vec3 overL;
   float overWeight;
+  uint overReuse;
+  uint overSample;
 };
 
 Rays noRays(bool onPath) {
@@ -173,6 +197,8 @@ Rays noRays(bool onPath) {
   rays.pathOver = false;
   rays.overL = vec3(0.0);
   rays.overWeight = 0.0;
+  rays.overReuse = kReuseNone;
+  rays.overSample = 0u;
   return rays;
 }
 
@@ -225,9 +251,11 @@ void gatherLight(inout Work work, inout Path path, inout Rays rays) {
   if (rays.pathOver) {
     owner.L = rays.overL;
     owner.sampleWeight = rays.overWeight;
+    owner.reuse = rays.overReuse;
+    owner.sampleLow = rays.overSample;
   }
   gatherDirect(owner, rays.direct, rays.occluded);
-  if (rays.pathOver) finishSample(work, sampleValue(owner));
+  if (rays.pathOver) finishSample(work, owner);
   if (!rays.pathOver) path.L = owner.L;
   Traversal t = rays.traversal;
   rays = noRays(rays.onPath);
@@ -246,10 +274,13 @@ void shade(inout Work work, inout Path path, inout Rays rays) {
     bool last = path.repeat + 1u >= path.repeats || !kEffectSpecularSamples;
     if (last) work.open = others;
     Path fresh = pathOfSample(work, nextSample(work));
+    if (pathsAreBegun() && !last) fresh = cameraPath(work.pixel, work.x, work.y, path.sampleLow, path.key);
     if (!startAgainFrom(fresh, path)) {
       rays.pathOver = true;
       rays.overL = path.L;
       rays.overWeight = path.sampleWeight;
+      rays.overReuse = path.reuse;
+      rays.overSample = path.sampleLow;
       rays.onPath = work.open != 0u;
       path = fresh;
     }
@@ -261,7 +292,7 @@ void shade(inout Work work, inout Path path, inout Rays rays) {
 // dispatch, which packs the unfinished slots; the last few go on to their end.
 bool wellFilled(uint lanes) { return job.packs == 0u || 4u * lanes >= 3u * gl_SubgroupSize; }
 
-void main() {
+void tracePaths() {
   Work work;
   Path path;
   bool working = startWork(work, path);
@@ -297,4 +328,14 @@ void main() {
     slotLists[job.listTurn * job.slotCount + place] = work.slot;
   }
   addCounters(working && path.bounce > 0u);
+}
+
+#include "reuse_steps.glsl"
+
+void main() {
+  if (kStep == kStepPaths) tracePaths();
+  if (kStep == kStepFirstVertices) beginPaths();
+  if (kStep == kStepConnect) connectAll();
+  if (kStep == kStepBalance) balancePaths(gl_GlobalInvocationID.x, job.firstSample + gl_WorkGroupID.y);
+  if (kStep == kStepAddUp) addUp();
 }

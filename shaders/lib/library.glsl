@@ -29,6 +29,7 @@
 #include "light.glsl"
 #include "kinds.glsl"
 #include "path_state.glsl"
+#include "reuse.glsl"
 #include "light_path.glsl"
 #include "path.glsl"
 #include "filter.glsl"

@@ -13,6 +13,7 @@ CONSTANT uint kLightReflected = 1u;
 CONSTANT uint kLightTransmitted = 2u;
 CONSTANT uint kLightThrough = 3u;
 CONSTANT uint kLightOther = 4u;
+CONSTANT uint kLightScattered = 5u; // any other, and D last
 
 uint lightAfterSpecular(uint history, bool transmitted) {
   if (history == kHistoryLight) return transmitted ? kLightTransmitted : kLightReflected;
@@ -63,6 +64,7 @@ Path lightPath(uint pixel, uint sampleLow, uint key) {
   path.sampleWeight = 1.0;
   path.from = path.ray.o;
   path.fromNormal = Vec3(0.0);
+  path.reuse = kReuseNone;
   return path;
 }
 
@@ -102,7 +104,8 @@ DirectLight connectToEye(Path path, Surface s, Vec3 wo) {
   bool wanted = !kEffectPathKinds || ((pathKinds() >> lightKind(path.history)) & 1u) != 0u;
   bool joined = path.bounce > 0u && inImage && scattered && wanted;
   Float pdf_A = eyePdf_A(r2, abs(dot(s.ng, w)), cosAxis);
-  Float weight = misWeight(path.otherPdf_A, pdf_A);
+  bool isShared = reusesPaths() && path.history == kLightScattered;
+  Float weight = misWeight(path.otherPdf_A, MUTATE(ReuseWeighsByEye, isShared ? sharedEyePdf_A() : pdf_A, pdf_A));
   BsdfValue bsdf = evaluateBsdf(seen, w, wo);
   // Flux arrives by the cosine of the triangle, the BSDF counts that of the shading normal: Veach 1997, 5.3.2.
   Float shading = abs(dot(seen.n, wo)) / abs(dot(s.ng, wo));

@@ -146,6 +146,14 @@ bool extendPath(INOUT(Path) path, Hit hit, OUT(DirectLight) direct) {
       path.otherPdf_A = tracesLights() ? pdf_A : 0.0;
     }
 
+    // REUSE: what this vertex sends on counts for the neighbours, too.
+    if (reusesPaths() && leavesVertices() && path.bounce == 1u) {
+      if (kEffectLightTracing && path.otherPdf_A > 0.0 && isSmooth(s.m.bsdf)) path.otherPdf_A = sharedEyePdf_A();
+      bool isShared = path.reuse == kReuseFirst && goesOn && reusableFrom(s);
+      if (path.reuse == kReuseFirst) path.reuse = kReuseAlone;
+      if (isShared) leaveSecondVertex(path, s, hit.triangle);
+    }
+
     // DIRECT: next event estimation at surfaces that are not specular.
     if (kEffectLightSampling && goesOn && !kFromLight) {
       uint history = afterDiffuse(path.history);
@@ -191,8 +199,9 @@ bool extendPath(INOUT(Path) path, Hit hit, OUT(DirectLight) direct) {
     uint history = specular ? afterSpecular(path.history, dot(b.wi, s.ng) < 0.0) : afterDiffuse(path.history);
     if (kFromLight) {
       goesOn = goesOn && (specular || path.bounce > 0u); // what comes straight from a light is light sampling's
-      history = specular ? lightAfterSpecular(path.history, dot(b.wi, s.ng) < 0.0) : kLightOther;
+      history = specular ? lightAfterSpecular(path.history, dot(b.wi, s.ng) < 0.0) : kLightScattered;
     }
+    bool shares = reusesPaths() && leavesVertices() && goesOn && path.bounce == 0u && reusable(s);
     bool spared = false; // from roulette
     path.bounce += 1u;
 
@@ -225,6 +234,7 @@ bool extendPath(INOUT(Path) path, Hit hit, OUT(DirectLight) direct) {
       if (kRouletteMode == kRouletteConstant) survivalProbability = survival();
       if (kFromLight) survivalProbability = min(1.0, maxComponent(b.weight));
     }
+    if (shares) leaveFirstVertex(path, s, survivalProbability);
     bool survives = toUnit(random.w) < MUTATE(RouletteCapped, survivalProbability, min(survivalProbability, 0.5));
     goesOn = goesOn && MUTATE(BlackGoesOn, maxComponent(beta) > 0.0 && survives, maxComponent(beta) == 0.0 || survives);
     path.beta = beta / MUTATE(SurvivalNotDivided, survivalProbability, 1.0);

@@ -13,6 +13,7 @@ struct Path {
   Float otherPdf_A;
   Vec3 from;        // of the light tree: where light sampling stood when it could have found what ray.d leads to,
   Vec3 fromNormal;  // and the normal there
+  uint reuse;       // reuse.glsl
   uint branch;      // which branches of split vertices the path has taken, a bit each
   uint waiting;     // branches that wait
   uint repeat;      // of the sample's paths through the same point of the image, from 0

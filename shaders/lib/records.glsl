@@ -82,3 +82,22 @@ struct Branch {
   Vec3 beta;
   uint bounce; // history in the high half
 };
+
+// What a path leaves for others: reuse.glsl. Points moved off their surfaces, to the side that they are seen from; normals
+// of 0 where there is no such vertex.
+struct FirstVertex {
+  Vec3 o;
+  Vec3 n;      // shading normal, as long as the path's probability to go on
+  Vec3 ng;
+  Vec3 weight; // reflectance over that probability, times the sample's weight in its pixel
+};
+struct SecondVertex {
+  Vec3 end;
+  uint triangle;
+  Vec3 ng;
+  uint pixel; // whose path it is
+};
+struct SharedLight {
+  Vec3 L;      // that a second vertex sends on
+  Float pdf_A; // of it, by all paths that share it together
+};

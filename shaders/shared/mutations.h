@@ -74,7 +74,12 @@
   X(100, CarriedRepeatLost, "a sample that goes on in the next dispatch begins again with its first path")   \
   X(101, TreeShareDropped, "the light tree's children are as probable as each other")                        \
   X(102, TreeWeighedByPower, "light found by chance is weighed as if lights were chosen by power")           \
-  X(103, CarriedVertexLost, "a path that goes on in the next dispatch has forgotten where it comes from")
+  X(103, CarriedVertexLost, "a path that goes on in the next dispatch has forgotten where it comes from")    \
+  X(104, ReuseGeometryDropped, "paths are shared without the cosine of their second vertex")                 \
+  X(105, ReuseThroughWalls, "paths are shared through whatever is in between")                               \
+  X(106, ReuseBlockedCounts, "pixels that don't see a shared vertex count among those that could have found it") \
+  X(107, ReuseWeighsByEye, "caustics on shared paths are weighed by each pixel's own density")               \
+  X(108, CarriedReuseLost, "a path that goes on in the next dispatch has forgotten that it is shared")
 
 // Those that tests/bsdf notices: by samples counted against their density, and by closed forms.
 #define VKPT_SAMPLING_MUTATIONS_LIST(X)                                                                      \

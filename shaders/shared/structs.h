@@ -35,7 +35,9 @@ VKPT_CONSTANT uint kBindingKinds = 13u;       // storage[kKindCount]: an image o
 VKPT_CONSTANT uint kBindingReplicates = 14u;  // texel buffer[3], by channel: a pixel's mean in each replicate
 VKPT_CONSTANT uint kBindingSplats = 15u; // texel buffer of single numbers: what paths from the lights bring
 VKPT_CONSTANT uint kBindingLightNodes = 16u; // texel buffer: 3 texels a node of the light tree
-VKPT_CONSTANT uint kBindingCount = 17u;
+VKPT_CONSTANT uint kBindingReuse = 17u;      // texel buffer: kTexelsPerSharedPath a sample and slot
+VKPT_CONSTANT uint kBindingConnections = 18u; // texel buffer of single numbers: densities of connections
+VKPT_CONSTANT uint kBindingCount = 19u;
 
 // --- texels a record takes ---
 VKPT_CONSTANT uint kTexelsPerNode = 8u;
@@ -55,6 +57,19 @@ VKPT_CONSTANT uint kConstantPrimaryView = 67u; // of path.comp built with VKPT_P
 VKPT_CONSTANT uint kConstantSampler = 68u;
 VKPT_CONSTANT uint kConstantFromLight = 69u;
 VKPT_CONSTANT uint kConstantByLightTree = 70u;
+VKPT_CONSTANT uint kConstantReuseEdge = 71u; // of a square of pixels that share paths; 1: none do
+VKPT_CONSTANT uint kConstantStep = 72u;      // which of a batch's steps path.comp takes
+
+// The steps of a batch. Where pixels share paths, it takes them all; else the first alone.
+VKPT_CONSTANT uint kStepPaths = 0u;
+VKPT_CONSTANT uint kStepFirstVertices = 1u;
+VKPT_CONSTANT uint kStepConnect = 2u;
+VKPT_CONSTANT uint kStepBalance = 3u;
+VKPT_CONSTANT uint kStepAddUp = 4u;
+VKPT_CONSTANT uint kStepCount = 5u;
+// What a sample's path leaves for others, and what it goes on with behind its second vertex.
+VKPT_CONSTANT uint kTexelsPerSharedPath = 7u;
+VKPT_CONSTANT uint kTexelsPerBegunPath = 5u; // and kVertexPlanes with a light tree
 
 VKPT_CONSTANT uint kPrimaryBaseColour = 0u;
 VKPT_CONSTANT uint kPrimaryNormals = 1u;
@@ -221,7 +236,7 @@ struct FrameConstants {
   float lightPower;       // of all lights that light sampling knows, over pi, summed over the channels
   uint specularSamples;   // paths of a sample whose first surface is specular
   uint environmentLeaf;   // of the light tree
-  uint unused0;
+  float sharedEyePdf_A;   // in place of the eye's density at the first vertex, where paths are shared
   vec4 specularLower[kSpecularBoxes]; // a box more than there are lies far away
   vec4 specularUpper[kSpecularBoxes];
   vec4 filterShape;                        // radius, and what the shape needs: lib/filter.glsl

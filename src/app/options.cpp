@@ -190,6 +190,17 @@ void addEstimatorOptions(CLI::App& app, RenderOptions& o) {
       },
       "paths of a sample whose first surface is a mirror, smooth metal or glass, 1 to 16 (default 4)");
   addValue(
+      app, "--path-reuse", "N",
+      [&e](const auto& text) {
+        constexpr const char* kRight = "1, 4, 16 or 64 pixels";
+        const auto pixels = parseWhole("--path-reuse", text, 1, shared::kBlockPixels);
+        if (pixels != 1 && pixels != 4 && pixels != 16 && pixels != 64)
+          refuseValue("--path-reuse", text, kRight);
+        e.pathReuse = static_cast<std::uint32_t>(pixels);
+      },
+      "neighbouring pixels that share their paths' second halves, 1, 4, 16 or 64: less noise, which the pixels share, "
+      "too (default 1)");
+  addValue(
       app, "--seed", "N",
       [&o](const auto& text) {
         o.seed = static_cast<std::uint32_t>(parseWhole("--seed", text, 0, kLargest32));

@@ -2,6 +2,7 @@
 
 #include "core/error.h"
 #include "device/filter_table.h"
+#include "device/light_table.h"
 #include "device/light_tracing.h"
 
 #include <fmt/format.h>
@@ -62,6 +63,13 @@ void setSplatUnits(shared::FrameConstants& constants, const Scene& scene) {
   constants.splatSquareUnits = static_cast<float>(units * units * std::exp2(-32.0));
 }
 
+/// Of points all over the sides of a box.
+float uniformPdf_A(const Box3d& box) {
+  const Vec3d e = box.extent();
+  const double area = 2.0 * (e.x * e.y + e.y * e.z + e.z * e.x);
+  return area > 0.0 ? static_cast<float>(1.0 / area) : 1.0F;
+}
+
 /// In local coordinates, a little too large: rounding must not make a path miss one.
 void setSpecularBoxes(shared::FrameConstants& constants, const Scene& scene) {
   constexpr float kNowhere = 1e30F;
@@ -120,6 +128,10 @@ shared::FrameConstants frameConstants(const Scene& scene, const LightChoice& lig
   const auto obstacle = lightTracingObstacle(scene, estimator);
   if (estimator.lightTracing == LightTracing::On && obstacle && obstacle->impossible)
     throw UsageError("--light-tracing on can't go together with " + obstacle->reason.text());
+  if (estimator.pathReuse > 1 && estimator.kindImages)
+    throw UsageError(fmt::format("--path-reuse {} can't go together with --output-paths: a shared path has "
+                                 "another kind for every pixel",
+                                 estimator.pathReuse));
   shared::FrameConstants c{};
   c.tracesLights = obstacle ? 0U : 1U;
   c.lightPower = static_cast<float>(lights.totalPower);
@@ -139,6 +151,7 @@ shared::FrameConstants frameConstants(const Scene& scene, const LightChoice& lig
   c.lightSamples = estimator.lightSamples;
   c.splitDepth = estimator.splitDepth;
   c.specularSamples = estimator.specularSamples;
+  c.sharedEyePdf_A = uniformPdf_A(sceneBox(scene));
   c.pathKinds = estimator.pathKinds;
   c.deadHistories = deadHistories(estimator.pathKinds);
   setFilter(c, scene.filter);

@@ -40,6 +40,7 @@ gpu::SpecialisationMap kernelConstants(const DeviceScene& scene, const Scene& so
   constants[shared::kConstantStackDepth] = scene.stackDepth;
   constants[shared::kConstantRouletteMode] = static_cast<std::uint32_t>(estimator.roulette);
   constants[shared::kConstantByLightTree] = scene.lightChoice.byTree ? 1U : 0U;
+  constants[shared::kConstantReuseEdge] = estimator.reuseEdge();
   constants[shared::kConstantSampler] = static_cast<std::uint32_t>(estimator.sampler);
   constants[shared::kConstantFilterShape] = static_cast<std::uint32_t>(source.filter.shape);
   return constants;

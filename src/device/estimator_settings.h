@@ -55,12 +55,21 @@ struct EstimatorSettings {
   /// Paths of a sample whose first surface is specular, through the same point of the image: 1 to
   /// kMaxSpecularSamples.
   std::uint32_t specularSamples = 1;
+  std::uint32_t pathReuse = 1; ///< pixels that share their paths, a square of 1, 2, 4 or 8 on a side
   std::uint32_t pathKinds = kAllPathKinds; ///< bit i: PathKind i is rendered
   bool kindImages = false;                 ///< an image of each kind beside the whole
 
   [[nodiscard]] std::uint32_t effectiveRouletteAfter() const;
+  [[nodiscard]] std::uint32_t reuseEdge() const; ///< of the square of pathReuse pixels
   bool operator==(const EstimatorSettings&) const = default;
 };
+
+inline std::uint32_t EstimatorSettings::reuseEdge() const {
+  std::uint32_t edge = 1;
+  while (edge < shared::kBlockEdge && edge * edge < pathReuse)
+    edge *= 2;
+  return edge;
+}
 
 inline std::uint32_t EstimatorSettings::effectiveRouletteAfter() const {
   switch (roulette) {

@@ -49,6 +49,7 @@ public:
     lightSampling(goesOn);
     paths();
     specularSamples();
+    sharedPaths();
     caustics();
     image();
     for (const EffectInfo& e : allEffects()) {
@@ -268,6 +269,19 @@ private:
       else if (has(e))
         miss(Effect::SpecularSamples, "--specular-samples 1");
     }
+  }
+
+  void sharedPaths() {
+    if (m_settings.pathReuse <= 1)
+      miss(Effect::PathReuse, "--path-reuse 1");
+    else if (m_settings.kindImages)
+      miss(Effect::PathReuse, "--output-paths");
+    else if (m_settings.maxBounces < 2)
+      miss(Effect::PathReuse, fmt::format("--max-bounces {}: no vertex to share", m_settings.maxBounces));
+    else if (has(Effect::Diffuse))
+      on(Effect::PathReuse,
+         fmt::format("--path-reuse {}, and {}", m_settings.pathReuse, reason(Effect::Diffuse).because),
+         reason(Effect::Diffuse).where);
   }
 
   void caustics() {

@@ -5,5 +5,6 @@ inline Program<RuntimeEffects> makeProgram(const PackedScene& scene, const Scene
   return {scene,
           frameConstants(source, scene.lightChoice, settings.estimator, settings.width, settings.height,
                          settings.seed),
-          effects, settings.estimator.roulette, source.filter.shape, settings.estimator.sampler};
+          effects, settings.estimator.roulette, source.filter.shape, settings.estimator.sampler,
+          settings.estimator.reuseEdge()};
 }

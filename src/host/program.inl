@@ -15,16 +15,17 @@ template<class Traits>
 class Program {
 public:
 #include "lib/records.glsl"
+#include "lib/block.glsl"
 
   Program(const PackedScene& scene, const FrameConstants& frame, const EffectSet& effects,
           RouletteMode roulette, PixelFilter::Shape filter = PixelFilter::Shape::Box,
-          Sampler sampler = Sampler::Independent)
+          Sampler sampler = Sampler::Independent, uint reuseEdge = 1)
       :
 #define VKPT_INITIALISE_EFFECT(id, Name, name, what) kEffect##Name(effects),
         VKPT_EFFECTS(VKPT_INITIALISE_EFFECT)
 #undef VKPT_INITIALISE_EFFECT
             kRouletteMode(static_cast<uint>(roulette)),
-        kByLightTree(scene.lightChoice.byTree), kSampler(static_cast<uint>(sampler)), kFilterShape(static_cast<uint>(filter)), m_scene(&scene),
+        kByLightTree(scene.lightChoice.byTree), kSampler(static_cast<uint>(sampler)), kFilterShape(static_cast<uint>(filter)), kReuseEdge(reuseEdge), m_scene(&scene),
         m_frame(frame) {
     if (scene.bvh.depth >= kMaxStackDepth)
       throw std::length_error("the BVH is too deep for the traversal's stack");
@@ -38,6 +39,7 @@ public:
   bool kByLightTree;
   uint kSampler;
   uint kFilterShape;
+  uint kReuseEdge;
   bool kFromLight = false; // of the path at hand
 
   // --- accessors: as in shaders/device_memory.glsl ---
@@ -152,6 +154,7 @@ public:
     const vec4& group = m_frame.filterEdges[i / 4U];
     return (&group.x)[i % 4U];
   }
+  Float sharedEyePdf_A() const { return m_frame.sharedEyePdf_A; }
   bool tracesLights() const { return kEffectLightTracing && m_frame.tracesLights != 0; }
   Vec3 specularLower(uint i) const { return vector(m_frame.specularLower[i]); }
   Vec3 specularUpper(uint i) const { return vector(m_frame.specularUpper[i]); }
@@ -172,6 +175,23 @@ public:
   // --- branches that wait ---
   void storeBranch(uint i, const Branch& branch) { m_branches[i] = branch; }
   Branch loadBranch(uint i) const { return m_branches[i]; }
+
+  // --- paths that the pixels of a block share, one sample at a time ---
+  bool leavesVertices() const { return !kFromLight; }
+  void keepFirstVertex(const FirstVertex& a) { m_shared[m_slot].first = a; }
+  void keepSecondVertex(const SecondVertex& b, const Vec3& own) {
+    m_shared[m_slot].second = b;
+    m_shared[m_slot].own = own;
+  }
+  FirstVertex firstVertex(uint slot, uint /*sampleLow*/) const { return m_shared[slot].first; }
+  SecondVertex secondVertex(uint slot, uint /*sampleLow*/) const { return m_shared[slot].second; }
+  void storeBalance(uint slot, uint /*sampleLow*/, Float pdf_A) { m_shared[slot].light.pdf_A = pdf_A; }
+  SharedLight sharedLight(uint slot, uint /*sampleLow*/) const { return m_shared[slot].light; }
+  Vec3 ownLight(uint slot, uint /*sampleLow*/) const { return m_shared[slot].own; }
+  void storeConnection(uint slot, uint /*sampleLow*/, uint member, Float pdf_A) {
+    m_shared[slot].connections[member] = pdf_A;
+  }
+  Float connection(uint slot, uint /*sampleLow*/, uint member) const { return m_shared[slot].connections[member]; }
 
   // --- what paths from the lights bring ---
   SplatSums* splats = nullptr; // shared by the programs of all threads
@@ -215,30 +235,87 @@ public:
     kFromLight = false;
   }
 
-  /// What path.comp does for one lane: samples [firstSample, firstSample + count) of a pixel, summed in Float
-  /// within groups of kSamplesPerGroup, the groups merged in double.
+  /// A sample's path, as far as one pixel alone can tell; where paths are shared it is left in the pixel's slot.
+  Vec3 traceSample(uint x, uint y, std::uint64_t sample) {
+    traceLightPath(x, y, sample);
+    m_shared[m_slot].first = noFirstVertex();
+    m_shared[m_slot].second = noSecondVertex();
+    Path path = samplePath(x, y, sample);
+    while (Li(path) || startAgain(path)) {
+    }
+    return finished(path);
+  }
+
+  /// Value of a sample whose path has ended.
+  Vec3 finished(const Path& path) {
+    Vec3 L = reusesPaths() ? path.L : sampleValue(path);
+    if (!(isFinite(L.x) && isFinite(L.y) && isFinite(L.z))) {
+      ++counters.nonFinite;
+      L = Vec3(0);
+    }
+    if (!reusesPaths())
+      return L;
+    const Vec3 value = unsharedValue(path, L, m_slot);
+    m_shared[m_slot].light.L = L;
+    if (path.reuse != kReuseShared)
+      m_shared[m_slot].own = value;
+    return value;
+  }
+
+  /// Samples summed in Float within groups of kSamplesPerGroup, the groups merged in double.
+  struct OpenGroup {
+    Vec3 mean{0};
+    Vec3 deviations{0};
+    uint count = 0;
+  };
+  void addToGroup(OpenGroup& group, const Vec3& L, bool last, PixelMoments& moments) {
+    ++group.count;
+    addSample(group.mean, group.deviations, Float(group.count), L);
+    if (group.count == kSamplesPerGroup || last) {
+      moments.merge({group.count, Vec3d(group.mean), Vec3d(group.deviations)});
+      group = {};
+    }
+  }
+
+  /// What path.comp does for one lane: samples [firstSample, firstSample + count) of a pixel.
   void samplePixel(uint x, uint y, std::uint64_t firstSample, std::uint64_t count, PixelMoments& moments) {
-    Vec3 mean(0);
-    Vec3 deviations(0);
-    uint inGroup = 0;
+    OpenGroup group;
+    for (std::uint64_t i = firstSample; i < firstSample + count; ++i)
+      addToGroup(group, traceSample(x, y, i), i + 1 == firstSample + count, moments);
+  }
+
+  /// The same for all pixels of a block, with reuse.comp: the block's column and row, `film` the whole image.
+  void sampleBlock(uint column, uint row, std::uint64_t firstSample, std::uint64_t count, Film& film) {
+    const auto x = [&](uint slot) { return column * kBlockEdge + columnInBlock(slot); };
+    const auto y = [&](uint slot) { return row * kBlockEdge + rowInBlock(slot); };
+    for (uint slot = 0; slot < kBlockPixels; ++slot) {
+      m_shared[slot] = {};
+      m_shared[slot].inImage = x(slot) < m_frame.width && y(slot) < m_frame.height;
+    }
+    const auto pixel = [&](uint slot) -> PixelMoments& {
+      return film.pixels[std::size_t{y(slot)} * m_frame.width + x(slot)];
+    };
+    const auto eachSlot = [&](const auto& step) {
+      for (m_slot = 0; m_slot < kBlockPixels; ++m_slot) {
+        if (m_shared[m_slot].inImage)
+          step(m_slot);
+      }
+      m_slot = 0;
+    };
+    if (!reusesPaths())
+      return eachSlot([&](uint slot) { samplePixel(x(slot), y(slot), firstSample, count, pixel(slot)); });
+    std::array<OpenGroup, kBlockPixels> groups;
     for (std::uint64_t i = firstSample; i < firstSample + count; ++i) {
-      traceLightPath(x, y, i);
-      Path path = samplePath(x, y, i);
-      while (Li(path) || startAgain(path)) {
-      }
-      Vec3 L = sampleValue(path);
-      if (!(isFinite(L.x) && isFinite(L.y) && isFinite(L.z))) {
-        ++counters.nonFinite;
-        L = Vec3(0);
-      }
-      ++inGroup;
-      addSample(mean, deviations, Float(inGroup), L);
-      if (inGroup == kSamplesPerGroup || i + 1 == firstSample + count) {
-        moments.merge({inGroup, Vec3d(mean), Vec3d(deviations)});
-        mean = Vec3(0);
-        deviations = Vec3(0);
-        inGroup = 0;
-      }
+      const uint sampleLow = static_cast<uint>(i);
+      eachSlot([&](uint slot) { traceSample(x(slot), y(slot), i); });
+      eachSlot([&](uint slot) {
+        for (uint member = 0; member < kReuseEdge * kReuseEdge; ++member)
+          connectPaths(slot, sampleLow, member);
+      });
+      eachSlot([&](uint slot) { balancePaths(slot, sampleLow); });
+      eachSlot([&](uint slot) {
+        addToGroup(groups[slot], sharedValue(slot, sampleLow), i + 1 == firstSample + count, pixel(slot));
+      });
     }
   }
 
@@ -253,6 +330,16 @@ private:
   const PackedScene* m_scene;
   FrameConstants m_frame;
   std::array<Branch, kMaxSplitDepth> m_branches{};
+  struct SharedPath {
+    bool inImage = true;
+    FirstVertex first{};
+    SecondVertex second{};
+    SharedLight light{};
+    Vec3 own{0};
+    std::array<Float, kBlockPixels> connections{};
+  };
+  std::array<SharedPath, kBlockPixels> m_shared{};
+  uint m_slot = 0;
 };
 
 #include "host/make_program.inl"

@@ -19,6 +19,7 @@ HostPixel renderPixel32(const PackedScene& scene, const Scene& source, const Eff
   EffectSet withKinds = effects;
   withKinds.set(Effect::PathKinds);
   withKinds.set(Effect::KindImages);
+  withKinds.set(Effect::PathReuse, false);
   withKinds.set(Effect::LightTracing, false); // kinds are those of the eye's paths alone
   auto program = host32::makeProgram(scene, source, withKinds, settings);
   HostPixel pixel;

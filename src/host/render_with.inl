@@ -1,6 +1,6 @@
 // Renders with a Program. Included by program.inl.
 
-/// Every pixel, rows dealt out to threads as they come for more; no result depends on their number.
+/// Every pixel, rows of blocks dealt out to threads as they come for more; no result depends on their number.
 /// makeProgram: () -> Program<...>, one for each thread.
 template<class MakeProgram>
 HostRender renderWith(const MakeProgram& makeProgram, int width, int height, std::uint64_t frames,
@@ -13,16 +13,14 @@ HostRender renderWith(const MakeProgram& makeProgram, int width, int height, std
   SplatScale scale;
   bool tracesLights = false;
   std::atomic<int> nextRow{0};
+  constexpr int kEdge = static_cast<int>(kBlockEdge);
   std::mutex counting;
   const auto work = [&] {
     auto program = makeProgram();
     program.splats = &splats;
-    for (int y = nextRow++; y < height; y = nextRow++) {
-      for (int x = 0; x < width; ++x) {
-        auto& moments = render.film.pixels[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
-                                           static_cast<std::size_t>(x)];
-        program.samplePixel(static_cast<uint>(x), static_cast<uint>(y), 0, frames, moments);
-      }
+    for (int row = nextRow++; row * kEdge < height; row = nextRow++) {
+      for (int column = 0; column * kEdge < width; ++column)
+        program.sampleBlock(static_cast<uint>(column), static_cast<uint>(row), 0, frames, render.film);
     }
     const std::scoped_lock lock(counting);
     render.counters += program.counters;

@@ -33,11 +33,16 @@ constexpr auto kLayout = std::to_array<gpu::BindingLayout>({
     {kBindingKinds, DescriptorType::eStorageBuffer, kKindCount},
     {kBindingReplicates, DescriptorType::eStorageTexelBuffer, 3},
     {kBindingSplats, DescriptorType::eStorageTexelBuffer},
+    {kBindingReuse, DescriptorType::eStorageTexelBuffer},
+    {kBindingConnections, DescriptorType::eStorageTexelBuffer},
 });
 static_assert(kLayout.size() == kBindingCount);
 
 /// Slots left below which another dispatch costs more than idle lanes do.
 constexpr std::uint32_t kLeastWorthPacking = 256;
+
+/// Blocks worked on at once where paths are shared, which takes 4 kB a slot.
+constexpr std::uint32_t kMostSharedBlocks = 256;
 
 gpu::SpecialisationMap specialise(const DeviceScene& scene, const Scene& source, const EffectSet& effects,
                                   const IntegratorSettings& settings) {
@@ -65,11 +70,12 @@ void barrier(const vk::raii::CommandBuffer& commands) {
 
 Integrator::Integrator(const gpu::Context& context, const DeviceScene& scene, const Scene& source,
                        const EffectSet& effects, const IntegratorSettings& settings)
-    : m_context(context), m_settings(settings), m_lightTree(effects.has(Effect::LightTree)),
+    : m_context(context), m_settings(settings),
+      m_pathShader(settings.pathShader.empty() ? spirv::kPath : settings.pathShader), m_lightTree(effects.has(Effect::LightTree)),
       m_constants(frameConstants(source, scene.lightChoice, settings.estimator, settings.width,
                                  settings.height, settings.seed)),
       m_bindings(context, kLayout, sizeof(Dispatch)),
-      m_path(context, settings.pathShader.empty() ? spirv::kPath : settings.pathShader, m_bindings,
+      m_path(context, m_pathShader, m_bindings,
              specialise(scene, source, effects, settings)),
       m_commit(context, spirv::kCommit, m_bindings,
                {{static_cast<std::uint32_t>(Effect::KindImages), effects.has(Effect::KindImages) ? 1U : 0U},
@@ -82,13 +88,14 @@ Integrator::Integrator(const gpu::Context& context, const DeviceScene& scene, co
       m_kinds(context, settings.width, settings.height, effects.has(Effect::KindImages)),
       m_replicates(context, settings.width, settings.height, settings.estimator.sampler == Sampler::Sobol),
       m_splats(context, settings.width, settings.height,
-               m_constants.tracesLights != 0 && effects.has(Effect::LightTracing)) {
+               m_constants.tracesLights != 0 && effects.has(Effect::LightTracing)),
+      m_reuse(context, m_bindings, m_pathShader, specialise(scene, source, effects, settings),
+              effects.has(Effect::PathReuse) ? settings.estimator.reuseEdge() : 1, m_lightTree) {
   m_constants.tracesLights = m_splats.wanted() ? 1 : 0;
   if (m_splats.wanted()) {
     gpu::SpecialisationMap constants = specialise(scene, source, effects, settings);
     constants[kConstantFromLight] = 1;
-    m_lightPath.emplace(context, settings.pathShader.empty() ? spirv::kPath : settings.pathShader, m_bindings,
-                        constants);
+    m_lightPath.emplace(context, m_pathShader, m_bindings, constants);
   }
   m_constantsBuffer.write(context, std::as_bytes(std::span{&m_constants, 1}));
   m_bindings.bind(context, kBindingFrame, m_constantsBuffer, DescriptorType::eUniformBuffer);
@@ -116,20 +123,22 @@ void Integrator::reserveSlots(std::uint32_t slots) {
   m_bindings.bind(m_context, kBindingSlots, m_slotLists, DescriptorType::eStorageBuffer);
 }
 
-void Integrator::dispatch(const gpu::ComputePipeline& pipeline, const Dispatch& job) const {
+void Integrator::dispatch(vk::Pipeline pipeline, const Dispatch& job, std::uint32_t y,
+                          std::uint32_t z) const {
   m_context.execute([&](const vk::raii::CommandBuffer& commands) {
-    commands.bindPipeline(vk::PipelineBindPoint::eCompute, pipeline.handle());
+    commands.bindPipeline(vk::PipelineBindPoint::eCompute, pipeline);
     commands.bindDescriptorSets(vk::PipelineBindPoint::eCompute, m_bindings.pipelineLayout(), 0,
                                 m_bindings.set(), {});
     commands.pushConstants<Dispatch>(m_bindings.pipelineLayout(), vk::ShaderStageFlagBits::eCompute, 0, job);
-    commands.dispatch(workGroups(job), 1, 1);
+    commands.dispatch(workGroups(job), y, z);
     barrier(commands);
   });
 }
 
-Counters Integrator::traceOnce(const gpu::ComputePipeline& pipeline, const Dispatch& job) {
+Counters Integrator::traceOnce(vk::Pipeline pipeline, const Dispatch& job, std::uint32_t y,
+                               std::uint32_t z) {
   std::memset(m_countersBuffer.mapped(), 0, sizeof(Counters));
-  dispatch(pipeline, job);
+  dispatch(pipeline, job, y, z);
   Counters c{};
   std::memcpy(&c, m_countersBuffer.mapped(), sizeof(Counters));
   m_counters.raysClosest += c.raysClosest;
@@ -160,7 +169,7 @@ void Integrator::tracePaths(const gpu::ComputePipeline& pipeline, Dispatch job,
                             const std::function<void()>& between) {
   // Every dispatch takes each unfinished path at least one vertex further, and no path is longer than
   // kBounceCap.
-  while ((job.listed = traceOnce(pipeline, job).unfinished) > 0) {
+  while ((job.listed = traceOnce(pipeline.handle(), job).unfinished) > 0) {
     job.fresh = 0;
     job.packs = job.listed > kLeastWorthPacking ? 1 : 0;
     job.listTurn ^= 1U;
@@ -169,9 +178,37 @@ void Integrator::tracePaths(const gpu::ComputePipeline& pipeline, Dispatch job,
   }
 }
 
+void Integrator::beginPaths(Dispatch job, const std::function<void()>& between) {
+  const vk::Pipeline begin = m_reuse.step(kStepFirstVertices).handle();
+  while (traceOnce(begin, job, job.sampleCount).unfinished > 0) {
+    job.fresh = 0;
+    if (between)
+      between();
+  }
+}
+
+void Integrator::sharePaths(const Dispatch& job, const std::function<void()>& between) {
+  traceOnce(m_reuse.step(kStepConnect).handle(), job, job.sampleCount, m_reuse.pixels());
+  if (between)
+    between();
+  dispatch(m_reuse.step(kStepBalance).handle(), job, job.sampleCount);
+  dispatch(m_reuse.step(kStepAddUp).handle(), job);
+}
+
 std::uint64_t Integrator::renderTile(const Tile& tile, std::uint64_t firstSample, std::uint32_t count,
                                      const std::function<void()>& between) {
   assert(firstSample % kSamplesPerGroup + count <= kSamplesPerGroup);
+  const std::uint32_t most = m_reuse.wanted() ? std::min(tile.blockCount, kMostSharedBlocks) : tile.blockCount;
+  for (std::uint32_t done = 0; done < tile.blockCount; done += most)
+    renderPart({tile.firstBlock + done, std::min(most, tile.blockCount - done)}, firstSample, count, between);
+  const std::uint64_t samples = std::uint64_t{tile.blockCount} * kBlockPixels * count;
+  m_counters.samples += samples;
+  m_lightPaths += pixelsOf(tile) * count;
+  return samples;
+}
+
+void Integrator::renderPart(const Tile& tile, std::uint64_t firstSample, std::uint32_t count,
+                            const std::function<void()>& between) {
   Dispatch job{};
   job.firstBlock = tile.firstBlock;
   job.blockCount = tile.blockCount;
@@ -182,15 +219,17 @@ std::uint64_t Integrator::renderTile(const Tile& tile, std::uint64_t firstSample
   job.fresh = 1;
   job.packs = 1;
   reserveSlots(job.slotCount);
+  m_reuse.reserve(m_context, m_bindings, job.slotCount, count);
   if (m_lightPath)
     tracePaths(*m_lightPath, job, between);
+  if (m_reuse.wanted() && count > 0)
+    beginPaths(job, between);
   tracePaths(m_path, job, between);
-  if (count > 0)
-    dispatch(m_commit, job);
-  const std::uint64_t samples = std::uint64_t{job.slotCount} * count;
-  m_counters.samples += samples;
-  m_lightPaths += pixelsOf(tile) * count;
-  return samples;
+  if (count == 0)
+    return;
+  if (m_reuse.wanted())
+    sharePaths(job, between);
+  dispatch(m_commit.handle(), job);
 }
 
 /// Blocks at the image's edges are cut, some lie outside of it (device_memory.glsl: pixelOfSlot).

@@ -7,6 +7,7 @@
 #include "render/device_film.h"
 #include "render/device_kinds.h"
 #include "render/device_replicates.h"
+#include "render/device_reuse.h"
 #include "render/device_splats.h"
 #include "shared/structs.h"
 
@@ -119,16 +120,26 @@ private:
     return {m_constants.splatUnits, m_constants.splatSquareUnits};
   }
   void reserveSlots(std::uint32_t slots);
+  void renderPart(const Tile& part, std::uint64_t firstSample, std::uint32_t count,
+                  const std::function<void()>& between);
   void forget();
-  void dispatch(const gpu::ComputePipeline& pipeline, const shared::Dispatch& job) const;
+  /// Work-groups for every block in x, as given in y and z.
+  void dispatch(vk::Pipeline pipeline, const shared::Dispatch& job, std::uint32_t y = 1,
+                std::uint32_t z = 1) const;
   /// All of a unit's paths, from the lights or from the eye.
   void tracePaths(const gpu::ComputePipeline& pipeline, shared::Dispatch job,
                   const std::function<void()>& between);
-  shared::Counters traceOnce(const gpu::ComputePipeline& pipeline, const shared::Dispatch& job);
+  shared::Counters traceOnce(vk::Pipeline pipeline, const shared::Dispatch& job, std::uint32_t y = 1,
+                             std::uint32_t z = 1);
+  /// First vertices of all paths of a batch, where they are shared.
+  void beginPaths(shared::Dispatch job, const std::function<void()>& between);
+  /// What the pixels share of a batch whose paths have ended.
+  void sharePaths(const shared::Dispatch& job, const std::function<void()>& between);
   void keepFaults(const shared::Counters& counters, const shared::Dispatch& job);
 
   const gpu::Context& m_context;
   IntegratorSettings m_settings;
+  std::span<const std::uint32_t> m_pathShader;
   bool m_lightTree; ///< states hold what it needs
   shared::FrameConstants m_constants{};
   gpu::BindingSet m_bindings;
@@ -144,6 +155,7 @@ private:
   DeviceKinds m_kinds;
   DeviceReplicates m_replicates;
   DeviceSplats m_splats;
+  DeviceReuse m_reuse;
   std::uint64_t m_lightPaths = 0; ///< whose splats are in the film
   RunCounters m_counters;
   std::vector<Fault> m_faults;
