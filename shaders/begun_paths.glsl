@@ -1,4 +1,26 @@
-// Paths of path.comp that are begun in one dispatch and gone on with in the next, a place for every slot and sample.
+// What path.comp and first_vertices.comp know of a path: its state between dispatches, and that of paths that are begun
+// in one and gone on with in the next, a place for every slot and sample.
+
+uint randomKey() { return frame.seed ^ MUTATE(SampleHighIgnored, job.firstSampleHigh * 0x9E3779B9u, 0u); }
+
+// In 16 bits.
+uint pathFlags(Path path) {
+  return (path.emit ? 1u : 0u) | (path.waiting << 1u) | (path.history << 6u) | (path.repeat << 10u) |
+         (path.repeats > 1u ? 1u << 14u : 0u);
+}
+void setPathFlags(inout Path path, uint flags) {
+  path.emit = MUTATE(CarriedEmitLost, (flags & 1u) != 0u, true);
+  path.waiting = MUTATE(CarriedBranchLost, (flags >> 1u) & 31u, 0u);
+  path.history = MUTATE(CarriedHistoryLost, (flags >> 6u) & 15u, kHistoryEye);
+  path.repeat = MUTATE(CarriedRepeatLost, (flags >> 10u) & 15u, 0u);
+  path.repeats = ((flags >> 14u) & 1u) != 0u ? specularSamples() : 1u;
+}
+
+// Of a sample whose path has ended. L: what it has gathered, since its second vertex if it shares that.
+void storePathsLight(Path path, vec3 L) {
+  bool isShared = path.reuse == kReuseShared;
+  storeLight(g_slot, path.sampleLow, isShared, isShared ? L : L * path.sampleWeight);
+}
 
 void storeBegun(Path path, uint i, vec3 v, uint w) {
   storeShared(g_slot, path.sampleLow, kTexelsPerSharedPath + i, v, w);

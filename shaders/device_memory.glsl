@@ -13,7 +13,6 @@ layout(constant_id = 68) const uint kSampler = kSamplerIndependent; // kConstant
 layout(constant_id = 69) const bool kFromLight = false; // kConstantFromLight
 layout(constant_id = 70) const bool kByLightTree = false; // kConstantByLightTree
 layout(constant_id = 71) const uint kReuseEdge = 1u; // kConstantReuseEdge
-layout(constant_id = 72) const uint kStep = kStepPaths; // kConstantStep
 
 layout(set = 0, binding = kBindingFrame, std140) uniform FrameBlock { FrameConstants frame; };
 
@@ -225,7 +224,11 @@ bool pixelOfSlot(uint slot, out uint x, out uint y) {
 layout(set = 0, binding = kBindingReuse, rgba32ui) uniform restrict uimageBuffer reuseTexels;
 layout(set = 0, binding = kBindingConnections, r32ui) uniform restrict uimageBuffer connectionTexels;
 
-bool leavesVertices() { return kStep == kStepFirstVertices; }
+#ifdef VKPT_LEAVES_VERTICES // first_vertices.comp
+bool leavesVertices() { return true; }
+#else
+bool leavesVertices() { return false; }
+#endif
 int sharedTexel(uint slot, uint sampleLow, uint i) {
   uint texels = kTexelsPerSharedPath + kTexelsPerBegunPath + (kEffectLightTree ? kVertexPlanes : 0u);
   return int(((sampleLow - job.firstSample) * texels + i) * job.slotCount + slot);

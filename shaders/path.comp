@@ -6,8 +6,7 @@
 // the subgroup shades when most of its lanes have their hits, and the others go on with their rays after that. What
 // does not fit into the step budget is saved, listed, and goes on in the next dispatch.
 //
-// Where pixels share paths there are four more steps, kernels of their own by kStep: before, the first two vertices of
-// all paths, which leave what is shared; behind, what is in reuse_steps.glsl.
+// Where pixels share paths, these have been begun by first_vertices.comp, and share_paths.comp makes samples of them.
 
 #include "shared/language.h"
 #include "shared/structs.h"
@@ -24,9 +23,10 @@ layout(constant_id = 67) const uint kPrimaryView = kPrimaryBaseColour; // kConst
 #define VKPT_EXTEND extendPath
 #endif
 
+#include "begun_paths.glsl"
+
 layout(local_size_x = 64) in; // kBlockPixels
 
-// Whether the paths have been begun by kStepFirstVertices.
 bool pathsAreBegun() { return reusesPaths() && !kFromLight; }
 
 // A subgroup shades when so many eighths of its lanes have their hits. Shading costs as much as eight nodes; by the
@@ -43,23 +43,6 @@ struct Work {
   vec3 mean;       // of the open group of samples, those of earlier batches included
   vec3 deviations; // sum of squared deviations from it
 };
-
-uint randomKey() { return frame.seed ^ MUTATE(SampleHighIgnored, job.firstSampleHigh * 0x9E3779B9u, 0u); }
-
-// In 16 bits.
-uint pathFlags(Path path) {
-  return (path.emit ? 1u : 0u) | (path.waiting << 1u) | (path.history << 6u) | (path.repeat << 10u) |
-         (path.repeats > 1u ? 1u << 14u : 0u);
-}
-void setPathFlags(inout Path path, uint flags) {
-  path.emit = MUTATE(CarriedEmitLost, (flags & 1u) != 0u, true);
-  path.waiting = MUTATE(CarriedBranchLost, (flags >> 1u) & 31u, 0u);
-  path.history = MUTATE(CarriedHistoryLost, (flags >> 6u) & 15u, kHistoryEye);
-  path.repeat = MUTATE(CarriedRepeatLost, (flags >> 10u) & 15u, 0u);
-  path.repeats = ((flags >> 14u) & 1u) != 0u ? specularSamples() : 1u;
-}
-
-#include "begun_paths.glsl"
 
 Path pathOfSample(Work work, uint i) {
   if (kFromLight) return lightPath(work.pixel, job.firstSample + i, randomKey());
@@ -165,8 +148,7 @@ void finishSample(inout Work work, Path owner) {
   }
   if (kFromLight) return; // what it has brought lies with other pixels
   if (reusesPaths()) {
-    bool isShared = owner.reuse == kReuseShared;
-    storeLight(work.slot, owner.sampleLow, isShared, isShared ? L : L * owner.sampleWeight);
+    storePathsLight(owner, L);
   } else {
     uint done = job.sampleCount - uint(bitCount(work.open)); // of this batch
     addSample(work.mean, work.deviations, float(job.firstSample % kSamplesPerGroup + done), L);
@@ -292,7 +274,7 @@ void shade(inout Work work, inout Path path, inout Rays rays) {
 // dispatch, which packs the unfinished slots; the last few go on to their end.
 bool wellFilled(uint lanes) { return job.packs == 0u || 4u * lanes >= 3u * gl_SubgroupSize; }
 
-void tracePaths() {
+void main() {
   Work work;
   Path path;
   bool working = startWork(work, path);
@@ -328,14 +310,4 @@ void tracePaths() {
     slotLists[job.listTurn * job.slotCount + place] = work.slot;
   }
   addCounters(working && path.bounce > 0u);
-}
-
-#include "reuse_steps.glsl"
-
-void main() {
-  if (kStep == kStepPaths) tracePaths();
-  if (kStep == kStepFirstVertices) beginPaths();
-  if (kStep == kStepConnect) connectAll();
-  if (kStep == kStepBalance) balancePaths(gl_GlobalInvocationID.x, job.firstSample + gl_WorkGroupID.y);
-  if (kStep == kStepAddUp) addUp();
 }

@@ -6,7 +6,9 @@
 
 namespace vkpt::spirv {
 
-extern const std::span<const std::uint32_t> kPath;   ///< path.comp
-extern const std::span<const std::uint32_t> kCommit; ///< commit.comp
+extern const std::span<const std::uint32_t> kPath;          ///< path.comp
+extern const std::span<const std::uint32_t> kFirstVertices; ///< first_vertices.comp
+extern const std::span<const std::uint32_t> kSharePaths;    ///< share_paths.comp
+extern const std::span<const std::uint32_t> kCommit;        ///< commit.comp
 
 } // namespace vkpt::spirv

@@ -34,8 +34,8 @@ VKPT_CONSTANT uint kBindingEnvironment = 12u; // texel buffer: 2 texels for each
 VKPT_CONSTANT uint kBindingKinds = 13u;       // storage[kKindCount]: an image of each kind of light path
 VKPT_CONSTANT uint kBindingReplicates = 14u;  // texel buffer[3], by channel: a pixel's mean in each replicate
 VKPT_CONSTANT uint kBindingSplats = 15u; // texel buffer of single numbers: what paths from the lights bring
-VKPT_CONSTANT uint kBindingLightNodes = 16u; // texel buffer: 3 texels a node of the light tree
-VKPT_CONSTANT uint kBindingReuse = 17u;      // texel buffer: kTexelsPerSharedPath a sample and slot
+VKPT_CONSTANT uint kBindingLightNodes = 16u;  // texel buffer: 3 texels a node of the light tree
+VKPT_CONSTANT uint kBindingReuse = 17u;       // texel buffer: kTexelsPerSharedPath a sample and slot
 VKPT_CONSTANT uint kBindingConnections = 18u; // texel buffer of single numbers: densities of connections
 VKPT_CONSTANT uint kBindingCount = 19u;
 
@@ -58,15 +58,11 @@ VKPT_CONSTANT uint kConstantSampler = 68u;
 VKPT_CONSTANT uint kConstantFromLight = 69u;
 VKPT_CONSTANT uint kConstantByLightTree = 70u;
 VKPT_CONSTANT uint kConstantReuseEdge = 71u; // of a square of pixels that share paths; 1: none do
-VKPT_CONSTANT uint kConstantStep = 72u;      // which of a batch's steps path.comp takes
+VKPT_CONSTANT uint kConstantShareStep = 72u; // of share_paths.comp
 
-// The steps of a batch. Where pixels share paths, it takes them all; else the first alone.
-VKPT_CONSTANT uint kStepPaths = 0u;
-VKPT_CONSTANT uint kStepFirstVertices = 1u;
-VKPT_CONSTANT uint kStepConnect = 2u;
-VKPT_CONSTANT uint kStepBalance = 3u;
-VKPT_CONSTANT uint kStepAddUp = 4u;
-VKPT_CONSTANT uint kStepCount = 5u;
+VKPT_CONSTANT uint kStepConnect = 0u;
+VKPT_CONSTANT uint kStepBalance = 1u;
+VKPT_CONSTANT uint kStepAddUp = 2u;
 // What a sample's path leaves for others, and what it goes on with behind its second vertex.
 VKPT_CONSTANT uint kTexelsPerSharedPath = 7u;
 VKPT_CONSTANT uint kTexelsPerBegunPath = 5u; // and kVertexPlanes with a light tree

@@ -198,7 +198,8 @@ void addEstimatorOptions(CLI::App& app, RenderOptions& o) {
           refuseValue("--path-reuse", text, kRight);
         e.pathReuse = static_cast<std::uint32_t>(pixels);
       },
-      "neighbouring pixels that share their paths' second halves, 1, 4, 16 or 64: less noise, which the pixels share, "
+      "neighbouring pixels that share their paths' second halves, 1, 4, 16 or 64: less noise, which the "
+      "pixels share, "
       "too (default 1)");
   addValue(
       app, "--seed", "N",

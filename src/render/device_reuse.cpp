@@ -9,18 +9,18 @@ namespace vkpt {
 
 using namespace shared;
 
-DeviceReuse::DeviceReuse(const gpu::Context& context, const gpu::BindingSet& bindings,
-                         std::span<const std::uint32_t> pathShader, const gpu::SpecialisationMap& constants,
-                         std::uint32_t edge, bool lightTree)
+DeviceReuse::DeviceReuse(const gpu::Context& context, const gpu::BindingSet& bindings, const Shaders& shaders,
+                         const gpu::SpecialisationMap& constants, std::uint32_t edge, bool lightTree)
     : m_edge(edge), m_lightTree(lightTree) {
   reserve(context, bindings, 1, 1);
   if (!wanted())
     return;
   gpu::SpecialisationMap own = constants;
-  for (std::uint32_t step = kStepFirstVertices; step < kStepCount; ++step) {
-    own[kConstantStep] = step;
-    m_steps.emplace_back(context, pathShader, bindings, own);
+  for (const std::uint32_t step : {kStepConnect, kStepBalance, kStepAddUp}) {
+    own[kConstantShareStep] = step;
+    m_kernels.emplace_back(context, shaders.sharePaths, bindings, own);
   }
+  m_kernels.emplace_back(context, shaders.firstVertices, bindings, constants);
 }
 
 void DeviceReuse::reserve(const gpu::Context& context, const gpu::BindingSet& bindings, std::uint32_t slots,
@@ -29,18 +29,16 @@ void DeviceReuse::reserve(const gpu::Context& context, const gpu::BindingSet& bi
   if (places <= m_places || (m_places > 0 && !wanted()))
     return;
   m_places = places;
-  m_paths =
-      gpu::TexelBuffer(context, "shared paths", pathBytes(slots, samples, m_lightTree) / sizeof(Texel));
-  m_connections = gpu::TexelBuffer(context, "connections of shared paths",
-                                   connectionBytes(slots, samples, m_edge) / sizeof(float),
-                                   vk::Format::eR32Uint);
+  m_paths = gpu::TexelBuffer(context, "shared paths", pathBytes(slots, samples, m_lightTree) / sizeof(Texel));
+  m_connections =
+      gpu::TexelBuffer(context, "connections of shared paths",
+                       connectionBytes(slots, samples, m_edge) / sizeof(float), vk::Format::eR32Uint);
   bindings.bind(context, kBindingReuse, m_paths);
   bindings.bind(context, kBindingConnections, m_connections);
 }
 
 std::uint64_t DeviceReuse::pathBytes(std::uint64_t slots, std::uint64_t samples, bool lightTree) {
-  const std::uint32_t texels =
-      kTexelsPerSharedPath + kTexelsPerBegunPath + (lightTree ? kVertexPlanes : 0U);
+  const std::uint32_t texels = kTexelsPerSharedPath + kTexelsPerBegunPath + (lightTree ? kVertexPlanes : 0U);
   return slots * samples * texels * sizeof(Texel);
 }
 

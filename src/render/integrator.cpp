@@ -70,13 +70,11 @@ void barrier(const vk::raii::CommandBuffer& commands) {
 
 Integrator::Integrator(const gpu::Context& context, const DeviceScene& scene, const Scene& source,
                        const EffectSet& effects, const IntegratorSettings& settings)
-    : m_context(context), m_settings(settings),
-      m_pathShader(settings.pathShader.empty() ? spirv::kPath : settings.pathShader), m_lightTree(effects.has(Effect::LightTree)),
+    : m_context(context), m_settings(settings), m_lightTree(effects.has(Effect::LightTree)),
       m_constants(frameConstants(source, scene.lightChoice, settings.estimator, settings.width,
                                  settings.height, settings.seed)),
       m_bindings(context, kLayout, sizeof(Dispatch)),
-      m_path(context, m_pathShader, m_bindings,
-             specialise(scene, source, effects, settings)),
+      m_path(context, settings.shaders.path, m_bindings, specialise(scene, source, effects, settings)),
       m_commit(context, spirv::kCommit, m_bindings,
                {{static_cast<std::uint32_t>(Effect::KindImages), effects.has(Effect::KindImages) ? 1U : 0U},
                 {kConstantSampler, static_cast<std::uint32_t>(settings.estimator.sampler)}}),
@@ -89,13 +87,13 @@ Integrator::Integrator(const gpu::Context& context, const DeviceScene& scene, co
       m_replicates(context, settings.width, settings.height, settings.estimator.sampler == Sampler::Sobol),
       m_splats(context, settings.width, settings.height,
                m_constants.tracesLights != 0 && effects.has(Effect::LightTracing)),
-      m_reuse(context, m_bindings, m_pathShader, specialise(scene, source, effects, settings),
+      m_reuse(context, m_bindings, settings.shaders.reuse, specialise(scene, source, effects, settings),
               effects.has(Effect::PathReuse) ? settings.estimator.reuseEdge() : 1, m_lightTree) {
   m_constants.tracesLights = m_splats.wanted() ? 1 : 0;
   if (m_splats.wanted()) {
     gpu::SpecialisationMap constants = specialise(scene, source, effects, settings);
     constants[kConstantFromLight] = 1;
-    m_lightPath.emplace(context, m_pathShader, m_bindings, constants);
+    m_lightPath.emplace(context, settings.shaders.path, m_bindings, constants);
   }
   m_constantsBuffer.write(context, std::as_bytes(std::span{&m_constants, 1}));
   m_bindings.bind(context, kBindingFrame, m_constantsBuffer, DescriptorType::eUniformBuffer);
@@ -108,7 +106,11 @@ Integrator::Integrator(const gpu::Context& context, const DeviceScene& scene, co
   reserveSlots(kBlockPixels);
 }
 
-std::uint32_t Integrator::blockCount() const { return m_constants.blocksPerStripe * kStripes; }
+std::uint32_t Integrator::blockCount() const {
+  const std::uint32_t rows = (m_constants.height + kBlockEdge - 1) / kBlockEdge;
+  return m_constants.blocksPerStripe == 1 ? m_constants.blocksX * rows
+                                          : m_constants.blocksPerStripe * kStripes;
+}
 
 void Integrator::reserveSlots(std::uint32_t slots) {
   if (slots <= m_slots)
@@ -135,8 +137,7 @@ void Integrator::dispatch(vk::Pipeline pipeline, const Dispatch& job, std::uint3
   });
 }
 
-Counters Integrator::traceOnce(vk::Pipeline pipeline, const Dispatch& job, std::uint32_t y,
-                               std::uint32_t z) {
+Counters Integrator::traceOnce(vk::Pipeline pipeline, const Dispatch& job, std::uint32_t y, std::uint32_t z) {
   std::memset(m_countersBuffer.mapped(), 0, sizeof(Counters));
   dispatch(pipeline, job, y, z);
   Counters c{};
@@ -179,8 +180,7 @@ void Integrator::tracePaths(const gpu::ComputePipeline& pipeline, Dispatch job,
 }
 
 void Integrator::beginPaths(Dispatch job, const std::function<void()>& between) {
-  const vk::Pipeline begin = m_reuse.step(kStepFirstVertices).handle();
-  while (traceOnce(begin, job, job.sampleCount).unfinished > 0) {
+  while (traceOnce(m_reuse.firstVertices(), job, job.sampleCount).unfinished > 0) {
     job.fresh = 0;
     if (between)
       between();
@@ -188,17 +188,18 @@ void Integrator::beginPaths(Dispatch job, const std::function<void()>& between) 
 }
 
 void Integrator::sharePaths(const Dispatch& job, const std::function<void()>& between) {
-  traceOnce(m_reuse.step(kStepConnect).handle(), job, job.sampleCount, m_reuse.pixels());
+  traceOnce(m_reuse.step(kStepConnect), job, job.sampleCount, m_reuse.pixels());
   if (between)
     between();
-  dispatch(m_reuse.step(kStepBalance).handle(), job, job.sampleCount);
-  dispatch(m_reuse.step(kStepAddUp).handle(), job);
+  dispatch(m_reuse.step(kStepBalance), job, job.sampleCount);
+  dispatch(m_reuse.step(kStepAddUp), job);
 }
 
 std::uint64_t Integrator::renderTile(const Tile& tile, std::uint64_t firstSample, std::uint32_t count,
                                      const std::function<void()>& between) {
   assert(firstSample % kSamplesPerGroup + count <= kSamplesPerGroup);
-  const std::uint32_t most = m_reuse.wanted() ? std::min(tile.blockCount, kMostSharedBlocks) : tile.blockCount;
+  const std::uint32_t most =
+      m_reuse.wanted() ? std::min(tile.blockCount, kMostSharedBlocks) : tile.blockCount;
   for (std::uint32_t done = 0; done < tile.blockCount; done += most)
     renderPart({tile.firstBlock + done, std::min(most, tile.blockCount - done)}, firstSample, count, between);
   const std::uint64_t samples = std::uint64_t{tile.blockCount} * kBlockPixels * count;

@@ -10,6 +10,7 @@
 #include "render/device_reuse.h"
 #include "render/device_splats.h"
 #include "shared/structs.h"
+#include "spirv.h"
 
 #include <functional>
 #include <optional>
@@ -52,14 +53,18 @@ struct Tile {
   std::uint32_t blockCount = 0;
 };
 
+struct KernelShaders {
+  std::span<const std::uint32_t> path = spirv::kPath;
+  DeviceReuse::Shaders reuse{spirv::kFirstVertices, spirv::kSharePaths};
+};
+
 struct IntegratorSettings {
   EstimatorSettings estimator;
   int width = 512;
   int height = 512;
   std::uint32_t seed = 0;
-  /// Another build of path.comp with constants of its own; empty: the shipped one. For tests that break the
-  /// estimator on purpose.
-  std::span<const std::uint32_t> pathShader;
+  KernelShaders shaders;
+  /// For tests that break the estimator on purpose, by other builds of the shaders.
   gpu::SpecialisationMap extraConstants;
 };
 
@@ -139,7 +144,6 @@ private:
 
   const gpu::Context& m_context;
   IntegratorSettings m_settings;
-  std::span<const std::uint32_t> m_pathShader;
   bool m_lightTree; ///< states hold what it needs
   shared::FrameConstants m_constants{};
   gpu::BindingSet m_bindings;

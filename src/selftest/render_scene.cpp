@@ -14,7 +14,8 @@ IntegratorSettings integratorSettings(const RenderSetup& setup) {
   s.width = setup.width;
   s.height = setup.height;
   s.seed = setup.seed;
-  s.pathShader = setup.kernel.of(spirv::kPath);
+  s.shaders = {setup.kernel.of(spirv::kPath),
+               {setup.kernel.of(spirv::kFirstVertices), setup.kernel.of(spirv::kSharePaths)}};
   s.extraConstants = setup.kernel.constants();
   return s;
 }

@@ -4,9 +4,10 @@ namespace vkpt::test {
 
 std::vector<Check> ownChecks() {
   std::vector<Check> checks;
-  for (const auto& some : {filmChecks(), lightChecks(), deltaChecks(), surfaceChecks(), environmentChecks(),
-                           filterChecks(), rouletteChecks(), sobolChecks(), kindChecks(), splittingChecks(),
-                           strategyChecks(), pathChecks(), lightTracingChecks(), lightTreeChecks()})
+  for (const auto& some :
+       {filmChecks(), lightChecks(), deltaChecks(), surfaceChecks(), environmentChecks(), filterChecks(),
+        rouletteChecks(), sobolChecks(), kindChecks(), splittingChecks(), strategyChecks(), pathChecks(),
+        lightTracingChecks(), lightTreeChecks(), reuseChecks()})
     checks.insert(checks.end(), some.begin(), some.end());
   return checks;
 }

@@ -49,6 +49,22 @@ TEST_F(Identity, BatchesAndTilesChangeNothingOfPathsFromTheLights) {
   }
 }
 
+/// Pixels share paths within their block alone, whole or cut off by the image's edge.
+TEST_F(Identity, BatchesAndTilesChangeNothingOfSharedPaths) {
+  RenderSetup setup = spheresSetup();
+  setup.estimator.pathReuse = 16;
+  setup.estimator.lightTracing = LightTracing::On;
+  setup.estimator.specularSamples = 2;
+  const Scene scene = spheres();
+  const Film whole = render(scene, setup).film;
+  for (const auto& [batch, blocks] : {std::pair(1U, 0U), {5U, 0U}, {16U, 3U}, {16U, 4096U}}) {
+    setup.batch = batch;
+    setup.tileBlocks = blocks;
+    EXPECT_TRUE(identical(render(scene, setup).film, whole))
+        << "batch " << batch << ", " << blocks << " blocks a tile";
+  }
+}
+
 TEST_F(Identity, TilesChangeNothing) {
   RenderSetup setup = spheresSetup();
   const Scene scene = spheres();

@@ -84,6 +84,11 @@ constexpr Watch kWatches[] = {
     {Mutation::TreeShareDropped, "treeFindsTheNearLamp"},
     {Mutation::TreeWeighedByPower, "glowByTree"},
     {Mutation::CarriedVertexLost, "carriedByTree"},
+    {Mutation::ReuseGeometryDropped, "cellsShared"},
+    {Mutation::ReuseThroughWalls, "cellsShared"},
+    {Mutation::ReuseBlockedCounts, "cellsShared"},
+    {Mutation::ReuseWeighsByEye, "causticsShared"},
+    {Mutation::CarriedReuseLost, "carriedShared"},
 };
 
 const Check& checkFor(Mutation mutation) {

@@ -12,6 +12,8 @@ namespace {
 selftest::Spirv mutableBuild(selftest::Spirv shipped) {
   const std::pair<selftest::Spirv, selftest::Spirv> builds[] = {
       {spirv::kPath, spirv::kMutablePath},
+      {spirv::kFirstVertices, spirv::kMutableFirstVertices},
+      {spirv::kSharePaths, spirv::kMutableSharePaths},
       {spirv::kFunctions, spirv::kMutableFunctions},
       {spirv::kPathRecords, spirv::kMutablePathRecords},
       {spirv::kSums, spirv::kMutableSums},

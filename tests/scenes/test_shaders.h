@@ -7,6 +7,8 @@
 namespace vkpt::spirv {
 
 extern const std::span<const std::uint32_t> kMutablePath; ///< path.comp with VKPT_MUTATIONS
+extern const std::span<const std::uint32_t> kMutableFirstVertices;
+extern const std::span<const std::uint32_t> kMutableSharePaths;
 extern const std::span<const std::uint32_t> kMutableFunctions;
 extern const std::span<const std::uint32_t> kMutablePathRecords;
 extern const std::span<const std::uint32_t> kMutableSums;

@@ -36,7 +36,7 @@ void Stage::compile(const EstimatorSettings& estimator, Shader shader) {
   IntegratorSettings settings{estimator, m_scene.width, m_scene.height, m_options.seed, {}, {}};
   const bool primary = shader == Shader::BaseColour || shader == Shader::Normals;
   if (primary) {
-    settings.pathShader = spirv::kPrimary;
+    settings.shaders.path = spirv::kPrimary;
     settings.extraConstants[shared::kConstantPrimaryView] =
         shader == Shader::Normals ? shared::kPrimaryNormals : shared::kPrimaryBaseColour;
   }

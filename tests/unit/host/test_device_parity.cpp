@@ -23,6 +23,7 @@ void expectParity(const Film& device, const HostRender& host, double partedPerSa
 class DeviceParity : public RenderTest, public testing::WithParamInterface<BoxParity> {};
 using SplatParity = RenderTest;
 using TreeParity = RenderTest;
+using ReuseParity = RenderTest;
 
 TEST_P(DeviceParity, WalksThePathsOfTheHost) {
   const CornellScene box = cornellBox(GetParam().box, kSize, seed());
@@ -75,6 +76,25 @@ TEST_F(TreeParity, WalksThePathsOfTheHost) {
                kBoxParities[1].partedInFloat * 2.0);
   expectParity(device, renderHost64(packed, scene, effects, settings, kFrames, 2),
                kBoxParities[1].partedInDouble * 2.0);
+}
+
+/// Pixels share paths: one that parts is seen by all that share it.
+TEST_F(ReuseParity, SharesThePathsOfTheHost) {
+  CornellScene box = cornellBox("spheres", kSize, seed());
+  box.settings.estimator.lightTracing = LightTracing::On;
+  box.settings.estimator.pathReuse = 16;
+  box.effects = detectEffects(box.scene, box.settings.estimator);
+  EXPECT_TRUE(box.effects.has(Effect::PathReuse));
+  const RenderSetup setup{.estimator = box.settings.estimator,
+                          .width = kSize,
+                          .height = kSize,
+                          .frames = kFrames,
+                          .seed = seed()};
+  const Film device = render(box.scene, setup).film;
+  expectParity(device, renderHost32(box.packed, box.scene, box.effects, box.settings, kFrames, 2),
+               kBoxParities[1].partedInFloat * 16.0);
+  expectParity(device, renderHost64(box.packed, box.scene, box.effects, box.settings, kFrames, 2),
+               kBoxParities[1].partedInDouble * 16.0);
 }
 
 INSTANTIATE_TEST_SUITE_P(Boxes, DeviceParity, testing::ValuesIn(kBoxParities),
