@@ -77,7 +77,8 @@
   X(103, CarriedVertexLost, "a path that goes on in the next dispatch has forgotten where it comes from")    \
   X(104, ReuseGeometryDropped, "paths are shared without the cosine of their second vertex")                 \
   X(105, ReuseThroughWalls, "paths are shared through whatever is in between")                               \
-  X(106, ReuseBlockedCounts, "pixels that don't see a shared vertex count among those that could have found it") \
+  X(106, ReuseBlockedCounts,                                                                                 \
+    "pixels that don't see a shared vertex count among those that could have found it")                      \
   X(107, ReuseWeighsByEye, "caustics on shared paths are weighed by each pixel's own density")               \
   X(108, CarriedReuseLost, "a path that goes on in the next dispatch has forgotten that it is shared")
 

@@ -21,10 +21,9 @@ constexpr std::size_t kMostVariants = 64;
 
 /// Options of render that change how the image is estimated, or how fast.
 constexpr std::array<std::string_view, 17> kCanVary{
-    "sampler",    "light",         "light-samples",    "max-bounces",    "roulette", "roulette-after",
-    "split",      "paths",         "filter",           "batch",          "effects",  "tile-blocks",
-    "background", "light-tracing", "specular-samples", "light-selection",
-    "path-reuse"};
+    "sampler",    "light",         "light-samples",    "max-bounces",     "roulette",  "roulette-after",
+    "split",      "paths",         "filter",           "batch",           "effects",   "tile-blocks",
+    "background", "light-tracing", "specular-samples", "light-selection", "path-reuse"};
 
 struct Vary {
   std::string option;

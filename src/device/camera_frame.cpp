@@ -128,6 +128,9 @@ shared::FrameConstants frameConstants(const Scene& scene, const LightChoice& lig
   const auto obstacle = lightTracingObstacle(scene, estimator);
   if (estimator.lightTracing == LightTracing::On && obstacle && obstacle->impossible)
     throw UsageError("--light-tracing on can't go together with " + obstacle->reason.text());
+  if (estimator.pathReuse > 1 && estimator.splitDepth > 0)
+    throw UsageError(fmt::format("--path-reuse {} can't go together with --split {}", estimator.pathReuse,
+                                 estimator.splitDepth));
   if (estimator.pathReuse > 1 && estimator.kindImages)
     throw UsageError(fmt::format("--path-reuse {} can't go together with --output-paths: a shared path has "
                                  "another kind for every pixel",

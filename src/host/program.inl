@@ -247,6 +247,9 @@ public:
   }
 
   /// Value of a sample whose path has ended.
+  Vec3 valueOf(const Path& path) {
+    return reusesPaths() ? unsharedValue(path, path.L, m_slot) : sampleValue(path);
+  }
   Vec3 finished(const Path& path) {
     Vec3 L = reusesPaths() ? path.L : sampleValue(path);
     if (!(isFinite(L.x) && isFinite(L.y) && isFinite(L.z))) {

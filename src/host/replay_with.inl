@@ -24,6 +24,6 @@ Replay replayWith(P& program, int x, int y, std::uint64_t sample) {
     step.goesOn = goesOn;
     replay.steps.push_back(step);
   }
-  replay.value = Vec3d(program.finished(path));
+  replay.value = Vec3d(program.valueOf(path));
   return replay;
 }

@@ -3,6 +3,9 @@
 
 namespace vkpt {
 
+/// Blocks worked on at once where paths are shared, which takes 4 to 7 kB a slot.
+inline constexpr std::uint32_t kMostSharedBlocks = 256;
+
 /// Paths that pixels share, in device memory, and the kernels that share them; dummies unless they are
 /// wanted.
 class DeviceReuse {

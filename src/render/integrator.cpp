@@ -41,9 +41,6 @@ static_assert(kLayout.size() == kBindingCount);
 /// Slots left below which another dispatch costs more than idle lanes do.
 constexpr std::uint32_t kLeastWorthPacking = 256;
 
-/// Blocks worked on at once where paths are shared, which takes 4 kB a slot.
-constexpr std::uint32_t kMostSharedBlocks = 256;
-
 gpu::SpecialisationMap specialise(const DeviceScene& scene, const Scene& source, const EffectSet& effects,
                                   const IntegratorSettings& settings) {
   gpu::SpecialisationMap constants = kernelConstants(scene, source, effects, settings.estimator);

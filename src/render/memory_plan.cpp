@@ -1,5 +1,6 @@
 #include "render/memory_plan.h"
 
+#include "render/device_reuse.h"
 #include "render/device_splats.h"
 #include "render/render_job.h"
 
@@ -88,6 +89,13 @@ MemoryPlan planMemory(const gpu::Context& context, const PackedScene& packed, co
   }
   storage("path states, at most", 1,
           pathStateBytes(slots, estimator.splitDepth, effects.has(Effect::LightTree)));
+  if (effects.has(Effect::PathReuse)) {
+    const std::uint64_t shared = std::min<std::uint64_t>(slots, kMostSharedBlocks * kBlockPixels);
+    texels("shared paths, at most",
+           DeviceReuse::pathBytes(shared, kSamplesPerGroup, effects.has(Effect::LightTree)));
+    texels("connections, at most",
+           DeviceReuse::connectionBytes(shared, kSamplesPerGroup, estimator.reuseEdge()));
+  }
   storage("slot lists, at most", 1, slotListBytes(slots));
   return plan;
 }
@@ -114,6 +122,11 @@ std::uint64_t effectBytes(Effect effect, const PackedScene& packed, const Effect
     return pathStateBytes(slots, estimator.splitDepth, false) - pathStateBytes(slots, 0, false);
   case Effect::LightTree:
     return sizeOf(packed.lightNodes) + pathStateBytes(slots, 0, true) - pathStateBytes(slots, 0, false);
+  case Effect::PathReuse: {
+    const std::uint64_t shared = std::min<std::uint64_t>(slots, kMostSharedBlocks * kBlockPixels);
+    return DeviceReuse::pathBytes(shared, kSamplesPerGroup, effects.has(Effect::LightTree)) +
+           DeviceReuse::connectionBytes(shared, kSamplesPerGroup, estimator.reuseEdge());
+  }
   case Effect::LightTracing:
     return splatBytes(width, height);
   case Effect::KindImages:

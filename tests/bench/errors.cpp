@@ -36,7 +36,7 @@ struct Named {
   const char* name;
   EstimatorSettings estimator;
 };
-const std::array<Named, 5> kEstimators{{
+const std::array<Named, 6> kEstimators{{
     {"plain", {.light = LightStrategy::Nee}},
     {"sobol, mis", {.sampler = Sampler::Sobol}},
     {"and the tree of lights", {.sampler = Sampler::Sobol, .lightSelection = LightSelection::Auto}},
@@ -47,6 +47,12 @@ const std::array<Named, 5> kEstimators{{
       .lightSelection = LightSelection::Auto,
       .lightTracing = LightTracing::Auto,
       .specularSamples = 4}},
+    {"and shared paths",
+     {.sampler = Sampler::Sobol,
+      .lightSelection = LightSelection::Auto,
+      .lightTracing = LightTracing::Auto,
+      .specularSamples = 4,
+      .pathReuse = 64}},
 }};
 
 StudySetting settingOf(const Scene& scene, const EstimatorSettings& estimator) {

@@ -171,6 +171,23 @@ TEST(LightTracing, IsThereWhereItCanBe) {
   EXPECT_FALSE(fs::exists(folder / "refused.png"));
 }
 
+TEST(PathReuse, IsRefusedWhereItCannotBe) {
+  const WorkFolder folder;
+  const auto refused = [&](std::vector<std::string> options) {
+    options.insert(options.begin(), {"cornell", "-o", "refused.png"});
+    const CommandResult r = vkpt(options, {folder.path(), {}});
+    EXPECT_EQ(r.exitCode, 1);
+    EXPECT_FALSE(fs::exists(folder / "refused.png"));
+    return r.err;
+  };
+  EXPECT_NE(
+      refused({"--path-reuse", "4", "--split", "2"}).find("--path-reuse 4 can't go together with --split 2"),
+      std::string::npos);
+  EXPECT_NE(refused({"--path-reuse", "4", "--output-paths", "kind"}).find("--output-paths"),
+            std::string::npos);
+  EXPECT_NE(refused({"--path-reuse", "5"}).find("1, 4, 16 or 64 pixels"), std::string::npos);
+}
+
 /// By default where lights are spread out: not for the two triangles of a lamp.
 TEST(LightSelection, IsByTheTreeWhereItIsAskedFor) {
   const WorkFolder folder;

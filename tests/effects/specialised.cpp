@@ -43,6 +43,7 @@ Spirv specialised(std::span<const std::uint32_t> kernel, const EffectIds& on) {
   std::unordered_map<std::uint32_t, std::vector<std::uint32_t>> constants;
   for (std::uint32_t id = 0; id < kIds; ++id)
     constants[id] = {std::ranges::count(on, id) > 0 ? 1U : 0U};
+  constants[shared::kConstantReuseEdge] = {2U}; // pixels share paths where that effect is on
   Messages messages;
   spvtools::Optimizer optimizer(kEnvironment);
   optimizer.SetMessageConsumer(messages.consumer());

@@ -258,9 +258,14 @@ TEST(EffectReasons, NameTheObjectAndItsLine) {
 }
 
 TEST(Effects, EachIsCalledForBySomething) {
-  EffectSet allButOne = EffectSet::all();
-  allButOne.set(Effect::LightTracing, false); // some of the others are in its way
-  EXPECT_EQ(detectEffects(everything(), everyOption()), allButOne);
+  EffectSet allButTwo = EffectSet::all();
+  for (const Effect e : {Effect::LightTracing, Effect::PathReuse}) // some of the others are in their way
+    allButTwo.set(e, false);
+  EXPECT_EQ(detectEffects(everything(), everyOption()), allButTwo);
+  EstimatorSettings shared = misSampling();
+  shared.pathReuse = 4;
+  EXPECT_TRUE(detectEffects(room().build(), shared).has(Effect::PathReuse));
+  EXPECT_FALSE(detectEffects(room().build(), withBounces(shared, 1)).has(Effect::PathReuse));
   EstimatorSettings settings = misSampling();
   settings.lightTracing = LightTracing::Auto;
   const Scene scene = roomWith(glass(1.5F));
