@@ -51,11 +51,7 @@ void main() {
   storeVertices(g_slot, g_sample);
   storeOwnLight(g_slot, g_sample, g_ownLight);
   storeBegunPath(path, goesOn);
-  if (ends) {
-    bool finite = isFinite(path.L.x) && isFinite(path.L.y) && isFinite(path.L.z);
-    if (!finite) reportNonFinite();
-    storePathsLight(path, finite ? path.L : vec3(0.0));
-  }
+  if (ends) storePathsLight(path, countedLight(path.L));
   if (goesOn && path.repeat == 0u && path.bounce < kBegunVertices) atomicAdd(counters.unfinished, 1u);
   addCounters(false);
 }

@@ -51,7 +51,8 @@ Path pathOfSample(Work work, uint i) {
 }
 
 // Which samples of the batch need work, a bit each: of those that take a path from a light, the ones that may become
-// caustics; of those that are begun, the ones that go on. All lanes look at all of theirs together: later, one by one, the others would have to wait.
+// caustics; of those that are begun, the ones that go on. All lanes look at all of theirs together: later, one by one,
+// the others would have to wait.
 uint samplesToDo(Work work) {
   uint all = (1u << job.sampleCount) - 1u;
   if (!kFromLight && !pathsAreBegun()) return all;
@@ -73,11 +74,11 @@ uint nextSample(Work work) { return work.open == 0u ? 0u : uint(findLSB(work.ope
 uint vertexPlane() { return kPathPlanes + splitDepth() * kBranchPlanes; } // behind the branches
 
 void savePath(Work work, Path path) {
-  uint flags = pathFlags(path) | (work.open << 16u);
-  pathPlanes[statePlane(0u, work.slot)] = uvec4(floatBitsToUint(path.ray.o), floatBitsToUint(path.otherPdf_A));
-  pathPlanes[statePlane(1u, work.slot)] = uvec4(floatBitsToUint(path.ray.d), path.ray.exclude);
-  pathPlanes[statePlane(2u, work.slot)] = uvec4(floatBitsToUint(path.beta), path.bounce | (path.branch << 14u) | (path.reuse << 30u));
-  pathPlanes[statePlane(3u, work.slot)] = uvec4(floatBitsToUint(path.L), flags);
+  PathTexels t = packPath(path, work.open);
+  pathPlanes[statePlane(0u, work.slot)] = t.origin;
+  pathPlanes[statePlane(1u, work.slot)] = t.direction;
+  pathPlanes[statePlane(2u, work.slot)] = t.throughput;
+  pathPlanes[statePlane(3u, work.slot)] = t.light;
   pathPlanes[statePlane(4u, work.slot)] = uvec4(floatBitsToUint(work.mean), floatBitsToUint(path.pdf_w));
   pathPlanes[statePlane(5u, work.slot)] = uvec4(floatBitsToUint(work.deviations), floatBitsToUint(path.sampleWeight));
   if (kEffectLightTree) {
@@ -87,23 +88,14 @@ void savePath(Work work, Path path) {
 }
 
 void loadPath(inout Work work, inout Path path) {
-  uvec4 a = pathPlanes[statePlane(0u, work.slot)];
-  uvec4 b = pathPlanes[statePlane(1u, work.slot)];
-  uvec4 c = pathPlanes[statePlane(2u, work.slot)];
-  uvec4 d = pathPlanes[statePlane(3u, work.slot)];
+  PathTexels t = PathTexels(pathPlanes[statePlane(0u, work.slot)], pathPlanes[statePlane(1u, work.slot)],
+                            pathPlanes[statePlane(2u, work.slot)], pathPlanes[statePlane(3u, work.slot)]);
   uvec4 e = pathPlanes[statePlane(4u, work.slot)];
   uvec4 f = pathPlanes[statePlane(5u, work.slot)];
-  path.ray.o = uintBitsToFloat(a.xyz);
-  path.otherPdf_A = uintBitsToFloat(a.w);
-  path.ray.d = uintBitsToFloat(b.xyz);
-  path.ray.exclude = b.w;
-  path.beta = MUTATE(CarriedThroughputLost, uintBitsToFloat(c.xyz), vec3(1.0));
-  path.bounce = c.w & 0x3FFFu;
-  path.branch = (c.w >> 14u) & 0xFFFFu;
-  path.reuse = MUTATE(CarriedReuseLost, c.w >> 30u, kReuseAlone);
-  path.L = uintBitsToFloat(d.xyz);
-  setPathFlags(path, d.w);
-  work.open = d.w >> 16u;
+  unpackPath(path, t);
+  path.beta = MUTATE(CarriedThroughputLost, path.beta, vec3(1.0));
+  path.reuse = MUTATE(CarriedReuseLost, path.reuse, kReuseAlone);
+  work.open = spareBits(t);
   path.sampleLow = job.firstSample + nextSample(work);
   work.mean = uintBitsToFloat(e.xyz);
   path.pdf_w = MUTATE(CarriedPdfLost, uintBitsToFloat(e.w), 0.0);
@@ -131,7 +123,7 @@ bool startWork(out Work work, out Path path) {
   work.deviations = vec3(0.0);
   path = pathOfSample(work, nextSample(work));
   if (any && !fresh) loadPath(work, path);
-  if (any && fresh && job.firstSample % kSamplesPerGroup != 0u) {
+  if (any && fresh && !reusesPaths() && job.firstSample % kSamplesPerGroup != 0u) {
     work.mean = filmColour(kFilmOpenMean, work.pixel);
     work.deviations = filmColour(kFilmOpenDeviations, work.pixel);
   }
@@ -141,11 +133,7 @@ bool startWork(out Work work, out Path path) {
 
 // owner: the path of the sample that is done.
 void finishSample(inout Work work, Path owner) {
-  vec3 L = reusesPaths() ? owner.L : sampleValue(owner);
-  if (!(isFinite(L.x) && isFinite(L.y) && isFinite(L.z))) {
-    if (MUTATE(FaultsHidden, true, false)) reportNonFinite();
-    L = vec3(0.0); // counts as a sample of 0; the fault is reported
-  }
+  vec3 L = countedLight(finishedLight(owner));
   if (kFromLight) return; // what it has brought lies with other pixels
   if (reusesPaths()) {
     storePathsLight(owner, L);

@@ -59,5 +59,7 @@ bool startAgain(INOUT(Path) path) {
   return startAgainFrom(fresh, path);
 }
 
-// What a finished sample adds to its pixel.
+// What a finished sample adds to its pixel, unless pixels share paths.
 Vec3 sampleValue(Path path) { return kEffectPixelFilter || kEffectSpecularSamples ? path.L * path.sampleWeight : path.L; }
+// What is known of a sample when its path has ended: its value, or what is shared of it.
+Vec3 finishedLight(Path path) { return reusesPaths() ? path.L : sampleValue(path); }

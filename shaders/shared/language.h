@@ -23,6 +23,7 @@ using glm::abs, glm::all, glm::any, glm::atan, glm::clamp, glm::cos, glm::cross,
     glm::sqrt;
 inline Vec3 xyz(const Vec4& v) { return Vec3(v.x, v.y, v.z); }
 inline bool isFinite(Float x) { return std::isfinite(x); }
+inline bool allFinite(const Vec3& v) { return isFinite(v.x) && isFinite(v.y) && isFinite(v.z); }
 /// Monotonic in x >= 0; orders children, so float precision is enough in every program.
 inline uint orderKey(Float x) { return std::bit_cast<uint>(static_cast<float>(x)); }
 inline Vec4 slabMin(const Vec4& a, const Vec4& b) { return glm::min(a, b); }
@@ -53,6 +54,7 @@ const float kSplitter = 4097.0;
 vec3 xyz(vec4 v) { return v.xyz; }
 // By bit pattern: isnan() and isinf() may be assumed away by a driver.
 bool isFinite(float x) { return (floatBitsToUint(x) & 0x7F800000u) != 0x7F800000u; }
+bool allFinite(vec3 v) { return isFinite(v.x) && isFinite(v.y) && isFinite(v.z); }
 uint orderKey(float x) { return floatBitsToUint(x); }
 // Minimum and maximum of distances along a ray, by their bits as integers: one instruction where NaN rules
 // cost three. Numbers below 0 only stay below 0, which is all that a slab test needs.

@@ -47,7 +47,9 @@ VKPT_CONSTANT uint kTexelsPerLight = 4u;
 VKPT_CONSTANT uint kTexelsPerLightNode = 3u;
 VKPT_CONSTANT uint kTexelsPerUv = 2u;
 VKPT_CONSTANT uint kTexelsPerEnvironmentTexel = 2u;
-VKPT_CONSTANT uint kPixelsPerTexel = 2u; // of a texture: RGB in half floats
+VKPT_CONSTANT uint kTexelsPerSharedPath = 7u; // what a sample's path leaves for others, and behind it
+VKPT_CONSTANT uint kTexelsPerBegunPath = 5u;  // what it goes on with; and kVertexPlanes with a light tree
+VKPT_CONSTANT uint kPixelsPerTexel = 2u;      // of a texture: RGB in half floats
 
 // --- specialisation constants beside the effects (ids 0..63) ---
 VKPT_CONSTANT uint kConstantStackDepth = 64u;
@@ -63,9 +65,6 @@ VKPT_CONSTANT uint kConstantShareStep = 72u; // of share_paths.comp
 VKPT_CONSTANT uint kStepConnect = 0u;
 VKPT_CONSTANT uint kStepBalance = 1u;
 VKPT_CONSTANT uint kStepAddUp = 2u;
-// What a sample's path leaves for others, and what it goes on with behind its second vertex.
-VKPT_CONSTANT uint kTexelsPerSharedPath = 7u;
-VKPT_CONSTANT uint kTexelsPerBegunPath = 5u; // and kVertexPlanes with a light tree
 
 VKPT_CONSTANT uint kPrimaryBaseColour = 0u;
 VKPT_CONSTANT uint kPrimaryNormals = 1u;

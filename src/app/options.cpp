@@ -199,8 +199,7 @@ void addEstimatorOptions(CLI::App& app, RenderOptions& o) {
         e.pathReuse = static_cast<std::uint32_t>(pixels);
       },
       "neighbouring pixels that share their paths' second halves, 1, 4, 16 or 64: less noise, which the "
-      "pixels share, "
-      "too (default 1)");
+      "pixels share, too (default 1)");
   addValue(
       app, "--seed", "N",
       [&o](const auto& text) {

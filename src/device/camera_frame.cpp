@@ -128,13 +128,8 @@ shared::FrameConstants frameConstants(const Scene& scene, const LightChoice& lig
   const auto obstacle = lightTracingObstacle(scene, estimator);
   if (estimator.lightTracing == LightTracing::On && obstacle && obstacle->impossible)
     throw UsageError("--light-tracing on can't go together with " + obstacle->reason.text());
-  if (estimator.pathReuse > 1 && estimator.splitDepth > 0)
-    throw UsageError(fmt::format("--path-reuse {} can't go together with --split {}", estimator.pathReuse,
-                                 estimator.splitDepth));
-  if (estimator.pathReuse > 1 && estimator.kindImages)
-    throw UsageError(fmt::format("--path-reuse {} can't go together with --output-paths: a shared path has "
-                                 "another kind for every pixel",
-                                 estimator.pathReuse));
+  if (const auto reuse = pathReuseObstacle(estimator))
+    throw UsageError(fmt::format("--path-reuse {} can't go together with {}", estimator.pathReuse, *reuse));
   shared::FrameConstants c{};
   c.tracesLights = obstacle ? 0U : 1U;
   c.lightPower = static_cast<float>(lights.totalPower);
@@ -154,7 +149,8 @@ shared::FrameConstants frameConstants(const Scene& scene, const LightChoice& lig
   c.lightSamples = estimator.lightSamples;
   c.splitDepth = estimator.splitDepth;
   c.specularSamples = estimator.specularSamples;
-  c.sharedEyePdf_A = uniformPdf_A(sceneBox(scene));
+  if (estimator.pathReuse > 1 && c.tracesLights != 0)
+    c.sharedEyePdf_A = uniformPdf_A(sceneBox(scene));
   c.pathKinds = estimator.pathKinds;
   c.deadHistories = deadHistories(estimator.pathKinds);
   setFilter(c, scene.filter);

@@ -74,6 +74,16 @@ std::string EffectReason::text() const {
   return where.file.empty() ? because : fmt::format("{} ({})", because, where.text());
 }
 
+std::optional<std::string> pathReuseObstacle(const EstimatorSettings& settings) {
+  if (settings.pathReuse <= 1)
+    return std::nullopt;
+  if (settings.splitDepth > 0)
+    return fmt::format("--split {}", settings.splitDepth);
+  if (settings.kindImages)
+    return "--output-paths: a shared path has another kind for every pixel";
+  return std::nullopt;
+}
+
 EffectSet detectEffects(const Scene& scene, const EstimatorSettings& settings) {
   return explainEffects(scene, settings).set;
 }

@@ -77,6 +77,9 @@ EffectReasons explainEffects(const Scene& scene, const EstimatorSettings& settin
 /// The same without the reasons.
 EffectSet detectEffects(const Scene& scene, const EstimatorSettings& settings);
 
+/// The option that paths which pixels share can't go together with, if they are asked for.
+std::optional<std::string> pathReuseObstacle(const EstimatorSettings& settings);
+
 /// Whether every corner's shading normal is the triangle's own, up to an angle that changes a cosine by less
 /// than 1e-5; true without shading normals.
 bool isFlat(const Scene& scene, const Triangle& triangle);

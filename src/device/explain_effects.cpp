@@ -274,8 +274,8 @@ private:
   void sharedPaths() {
     if (m_settings.pathReuse <= 1)
       miss(Effect::PathReuse, "--path-reuse 1");
-    else if (m_settings.kindImages || m_settings.splitDepth > 0)
-      miss(Effect::PathReuse, m_settings.kindImages ? "--output-paths" : "--split");
+    else if (const auto obstacle = pathReuseObstacle(m_settings))
+      miss(Effect::PathReuse, *obstacle);
     else if (m_settings.maxBounces < 2)
       miss(Effect::PathReuse, fmt::format("--max-bounces {}: no vertex to share", m_settings.maxBounces));
     else if (has(Effect::Diffuse))

@@ -210,7 +210,7 @@ public:
   void reportInvalidPdf() { ++counters.invalidPdf; }
   void reportNonFinite() { ++counters.nonFinite; }
   void recordKind(uint kind, const Vec3& L) {
-    if (isFinite(L.x) && isFinite(L.y) && isFinite(L.z))
+    if (allFinite(L))
       kinds[kind] += Vec3d(L);
   }
   std::array<Vec3d, kKindCount> kinds{}; // sums over all samples of this program
@@ -246,13 +246,14 @@ public:
     return finished(path);
   }
 
-  /// Value of a sample whose path has ended.
+  /// Value of a sample whose path has ended, whatever it is.
   Vec3 valueOf(const Path& path) {
     return reusesPaths() ? unsharedValue(path, path.L, m_slot) : sampleValue(path);
   }
+  /// The same as it counts: 0, and a fault, where it is not finite.
   Vec3 finished(const Path& path) {
-    Vec3 L = reusesPaths() ? path.L : sampleValue(path);
-    if (!(isFinite(L.x) && isFinite(L.y) && isFinite(L.z))) {
+    Vec3 L = finishedLight(path);
+    if (!allFinite(L)) {
       ++counters.nonFinite;
       L = Vec3(0);
     }
@@ -287,7 +288,7 @@ public:
       addToGroup(group, traceSample(x, y, i), i + 1 == firstSample + count, moments);
   }
 
-  /// The same for all pixels of a block, with reuse.comp: the block's column and row, `film` the whole image.
+  /// The same for all pixels of a block, with share_paths.comp: the block's column and row, `film` the whole image.
   void sampleBlock(uint column, uint row, std::uint64_t firstSample, std::uint64_t count, Film& film) {
     const auto x = [&](uint slot) { return column * kBlockEdge + columnInBlock(slot); };
     const auto y = [&](uint slot) { return row * kBlockEdge + rowInBlock(slot); };

@@ -104,6 +104,8 @@ Integrator::Integrator(const gpu::Context& context, const DeviceScene& scene, co
 }
 
 std::uint32_t Integrator::blockCount() const {
+  // Blocks follow one another where a stripe holds one: those behind the last would cost as much as the
+  // others.
   const std::uint32_t rows = (m_constants.height + kBlockEdge - 1) / kBlockEdge;
   return m_constants.blocksPerStripe == 1 ? m_constants.blocksX * rows
                                           : m_constants.blocksPerStripe * kStripes;

@@ -53,6 +53,7 @@ struct Tile {
   std::uint32_t blockCount = 0;
 };
 
+/// The shipped ones, or other builds of them.
 struct KernelShaders {
   std::span<const std::uint32_t> path = spirv::kPath;
   DeviceReuse::Shaders reuse{spirv::kFirstVertices, spirv::kSharePaths};
@@ -64,8 +65,7 @@ struct IntegratorSettings {
   int height = 512;
   std::uint32_t seed = 0;
   KernelShaders shaders;
-  /// For tests that break the estimator on purpose, by other builds of the shaders.
-  gpu::SpecialisationMap extraConstants;
+  gpu::SpecialisationMap extraConstants; ///< of other builds of the shaders
 };
 
 /// The film as it lies in device memory, of which film() makes the host's: that takes longer than reading it.

@@ -33,6 +33,17 @@ std::uint32_t slotsFor(int width, int height, std::uint32_t tileBlocks) {
   return std::bit_ceil(static_cast<std::uint32_t>(std::min(stripes * kStripes, most)) * kBlockPixels);
 }
 
+/// What pixels share of their paths, at most.
+struct SharedBytes {
+  std::uint64_t paths;
+  std::uint64_t connections;
+};
+SharedBytes sharedBytes(std::uint32_t slots, const EffectSet& effects, const EstimatorSettings& estimator) {
+  const std::uint64_t shared = std::min<std::uint64_t>(slots, kMostSharedBlocks * kBlockPixels);
+  return {DeviceReuse::pathBytes(shared, kSamplesPerGroup, effects.has(Effect::LightTree)),
+          DeviceReuse::connectionBytes(shared, kSamplesPerGroup, estimator.reuseEdge())};
+}
+
 } // namespace
 
 std::uint64_t pathStateBytes(std::uint32_t slots, std::uint32_t splitDepth, bool lightTree) {
@@ -90,11 +101,9 @@ MemoryPlan planMemory(const gpu::Context& context, const PackedScene& packed, co
   storage("path states, at most", 1,
           pathStateBytes(slots, estimator.splitDepth, effects.has(Effect::LightTree)));
   if (effects.has(Effect::PathReuse)) {
-    const std::uint64_t shared = std::min<std::uint64_t>(slots, kMostSharedBlocks * kBlockPixels);
-    texels("shared paths, at most",
-           DeviceReuse::pathBytes(shared, kSamplesPerGroup, effects.has(Effect::LightTree)));
-    texels("connections, at most",
-           DeviceReuse::connectionBytes(shared, kSamplesPerGroup, estimator.reuseEdge()));
+    const SharedBytes shared = sharedBytes(slots, effects, estimator);
+    texels("shared paths, at most", shared.paths);
+    texels("connections, at most", shared.connections);
   }
   storage("slot lists, at most", 1, slotListBytes(slots));
   return plan;
@@ -123,9 +132,8 @@ std::uint64_t effectBytes(Effect effect, const PackedScene& packed, const Effect
   case Effect::LightTree:
     return sizeOf(packed.lightNodes) + pathStateBytes(slots, 0, true) - pathStateBytes(slots, 0, false);
   case Effect::PathReuse: {
-    const std::uint64_t shared = std::min<std::uint64_t>(slots, kMostSharedBlocks * kBlockPixels);
-    return DeviceReuse::pathBytes(shared, kSamplesPerGroup, effects.has(Effect::LightTree)) +
-           DeviceReuse::connectionBytes(shared, kSamplesPerGroup, estimator.reuseEdge());
+    const SharedBytes shared = sharedBytes(slots, effects, estimator);
+    return shared.paths + shared.connections;
   }
   case Effect::LightTracing:
     return splatBytes(width, height);

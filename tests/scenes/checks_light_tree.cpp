@@ -75,13 +75,7 @@ void everythingByTree(Trial& t) {
 
 /// What a path must remember to weigh the emission it meets.
 void carriedByTree(Trial& t) {
-  const Vec3f emission(3.0F, 2.0F, 1.0F);
-  const Scene scene =
-      SceneBuilder()
-          .box({-1.0, -1.0, -1.0}, {1.0, 1.0, 1.0}, Facing::Inward, diffuse(Vec3f(0.99F), emission))
-          .camera(lookAt({0.0, 0.0, 0.9}, Vec3d(0.0), 80.0))
-          .build();
-  t.expectSameWhenCarried(scene, {.estimator = byTree(), .width = 8, .height = 8, .frames = 16});
+  t.expectSameWhenCarried(glowingRoom(), {.estimator = byTree(), .width = 8, .height = 8, .frames = 16});
 }
 
 /// A lamp close by and fifteen as bright in a row that leads away: most of their light goes elsewhere.

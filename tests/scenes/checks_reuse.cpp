@@ -141,13 +141,7 @@ void everythingShared(Trial& t) {
 
 /// What a path must remember of having been shared, and what it has brought until then.
 void carriedShared(Trial& t) {
-  const Vec3f emission(3.0F, 2.0F, 1.0F);
-  const Scene scene =
-      SceneBuilder()
-          .box({-1.0, -1.0, -1.0}, {1.0, 1.0, 1.0}, Facing::Inward, diffuse(Vec3f(0.99F), emission))
-          .camera(lookAt({0.0, 0.0, 0.9}, Vec3d(0.0), 80.0))
-          .build();
-  t.expectSameWhenCarried(scene, {.estimator = shared(4), .width = 8, .height = 8, .frames = 16});
+  t.expectSameWhenCarried(glowingRoom(), {.estimator = shared(4), .width = 8, .height = 8, .frames = 16});
 }
 
 /// Of light that has been to another wall, whose noise is all in what is shared, and of walls that see about

@@ -36,6 +36,14 @@ Film renderAt(Trial& t, const Scene& scene, const EstimatorSettings& estimator, 
   return t.render(scene, {.estimator = estimator, .width = 64, .height = 64, .frames = frames}).film;
 }
 
+Scene glowingRoom() {
+  return SceneBuilder()
+      .box({-1.0, -1.0, -1.0}, {1.0, 1.0, 1.0}, Facing::Inward,
+           diffuse(Vec3f(0.99F), Vec3f(3.0F, 2.0F, 1.0F)))
+      .camera(lookAt({0.0, 0.0, 0.9}, Vec3d(0.0), 80.0))
+      .build();
+}
+
 Film columns(const Film& film, int first, int count) {
   Film part;
   part.width = count;

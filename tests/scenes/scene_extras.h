@@ -20,6 +20,9 @@ Vec3d skyIrradiance(const EnvironmentMap& map, const Vec3d& n);
 /// 64 x 64 pixels.
 Film renderAt(Trial& t, const Scene& scene, const EstimatorSettings& estimator, std::uint64_t frames);
 
+/// A closed room of white walls that all emit: paths are long, and every vertex adds light.
+Scene glowingRoom();
+
 /// Columns [first, first + count) of an image.
 Film columns(const Film& film, int first, int count);
 /// Variance of one sample, averaged over the pixels.

@@ -20,6 +20,15 @@ void expectParity(const Film& device, const HostRender& host, double partedPerSa
   EXPECT_LE(d.meanOverSe, limit.meanOverSe);
 }
 
+/// What the device renders as the host does.
+RenderSetup setupOf(const HostSettings& host) {
+  return {.estimator = host.estimator,
+          .width = host.width,
+          .height = host.height,
+          .frames = kFrames,
+          .seed = host.seed};
+}
+
 class DeviceParity : public RenderTest, public testing::WithParamInterface<BoxParity> {};
 using SplatParity = RenderTest;
 using TreeParity = RenderTest;
@@ -27,12 +36,7 @@ using ReuseParity = RenderTest;
 
 TEST_P(DeviceParity, WalksThePathsOfTheHost) {
   const CornellScene box = cornellBox(GetParam().box, kSize, seed());
-  RenderSetup setup;
-  setup.width = kSize;
-  setup.height = kSize;
-  setup.frames = kFrames;
-  setup.seed = seed();
-  const Film device = render(box.scene, setup).film;
+  const Film device = render(box.scene, setupOf(box.settings)).film;
   const auto host = [&](const auto& renderHost) {
     return renderHost(box.packed, box.scene, box.effects, box.settings, kFrames, 2);
   };
@@ -47,12 +51,7 @@ TEST_F(SplatParity, BringsTheSplatsOfTheHost) {
   box.settings.estimator.lightTracing = LightTracing::On;
   box.settings.estimator.specularSamples = 2;
   box.effects = detectEffects(box.scene, box.settings.estimator);
-  const RenderSetup setup{.estimator = box.settings.estimator,
-                          .width = kSize,
-                          .height = kSize,
-                          .frames = kFrames,
-                          .seed = seed()};
-  const Film device = render(box.scene, setup).film;
+  const Film device = render(box.scene, setupOf(box.settings)).film;
   EXPECT_TRUE(device.splatVarianceOfMean.has_value());
   const double parted = kBoxParities[1].partedInFloat * 8.0;
   expectParity(device, renderHost32(box.packed, box.scene, box.effects, box.settings, kFrames, 2), parted);
@@ -69,9 +68,7 @@ TEST_F(TreeParity, WalksThePathsOfTheHost) {
   const EffectSet effects = detectEffects(scene, settings.estimator);
   EXPECT_TRUE(effects.has(Effect::LightTree));
   const PackedScene packed = packScene(scene, settings.estimator, effects, 1);
-  const RenderSetup setup{
-      .estimator = settings.estimator, .width = kSize, .height = kSize, .frames = kFrames, .seed = seed()};
-  const Film device = render(scene, setup).film;
+  const Film device = render(scene, setupOf(settings)).film;
   expectParity(device, renderHost32(packed, scene, effects, settings, kFrames, 2),
                kBoxParities[1].partedInFloat * 2.0);
   expectParity(device, renderHost64(packed, scene, effects, settings, kFrames, 2),
@@ -85,12 +82,7 @@ TEST_F(ReuseParity, SharesThePathsOfTheHost) {
   box.settings.estimator.pathReuse = 16;
   box.effects = detectEffects(box.scene, box.settings.estimator);
   EXPECT_TRUE(box.effects.has(Effect::PathReuse));
-  const RenderSetup setup{.estimator = box.settings.estimator,
-                          .width = kSize,
-                          .height = kSize,
-                          .frames = kFrames,
-                          .seed = seed()};
-  const Film device = render(box.scene, setup).film;
+  const Film device = render(box.scene, setupOf(box.settings)).film;
   expectParity(device, renderHost32(box.packed, box.scene, box.effects, box.settings, kFrames, 2),
                kBoxParities[1].partedInFloat * 16.0);
   expectParity(device, renderHost64(box.packed, box.scene, box.effects, box.settings, kFrames, 2),
