@@ -172,10 +172,8 @@ Rays noRays(bool onPath) {
   return rays;
 }
 
-Traversal beginPathRay(Path path, bool onPath) {
-  Traversal t = beginClosest(path.ray);
-  if (!onPath) t.current = kTraversalDone;
-  return t;
+void beginPathRay(inout Rays rays, Path path) {
+  beginAgain(rays.traversal, path.ray, rays.onPath ? kFarAway : 0.0);
 }
 
 void beginRays(inout Rays rays, Path path) {
@@ -195,7 +193,7 @@ void stepRays(inout Rays rays, Path path) {
   if (rays.traversal.anyHit && traversalEnded(rays.traversal, kMaxTraversalSteps)) {
     rays.occluded = rays.traversal.hit.triangle != kNoTriangle;
     rays.shadowCut = traversalCut(rays.traversal);
-    rays.traversal = beginPathRay(path, rays.onPath);
+    beginPathRay(rays, path);
   }
 }
 

@@ -8,6 +8,8 @@ CONSTANT uint kEmptyStack = 0xFFFFFFFFu;
 
 #ifdef __cplusplus
 
+CONSTANT uint kStackDepth = kMaxStackDepth;
+
 struct TraversalStack {
   uint entries[kMaxStackDepth];
   uint top;
@@ -18,8 +20,12 @@ static TraversalStack emptyStack() {
   s.entries[0] = kEmptyStack;
   return s;
 }
-static void pushStack(TraversalStack& s, uint entry) { s.entries[++s.top] = entry; }
-static void popStack(TraversalStack& s) { --s.top; }
+static void clearStack(TraversalStack& s) { s.top = 0; }
+static void pushStack(TraversalStack& s, bool push, uint entry) {
+  if (push)
+    s.entries[++s.top] = entry;
+}
+static void popStack(TraversalStack& s, bool pop) { s.top -= pop ? 1 : 0; }
 static uint topOfStack(const TraversalStack& s) { return s.entries[s.top]; }
 static void replaceTop(TraversalStack& s, uint entry) { s.entries[s.top] = entry; }
 
@@ -41,8 +47,8 @@ static void replaceTop(TraversalStack& s, uint entry) { s.entries[s.top] = entry
 
 #define VKPT_STACK_FIELD(i, j) uint e##i;
 #define VKPT_STACK_CLEAR(i, j) s.e##i = kEmptyStack;
-#define VKPT_STACK_PUSH(i, j) if (i < kStackDepth) s.e##i = s.e##j;
-#define VKPT_STACK_POP(i, j) if (j < kStackDepth) s.e##i = s.e##j;
+#define VKPT_STACK_PUSH(i, j) if (i < kStackDepth) s.e##i = push ? s.e##j : s.e##i;
+#define VKPT_STACK_POP(i, j) if (j < kStackDepth) s.e##i = pop ? s.e##j : s.e##i;
 
 struct TraversalStack {
   uint e0; // the top
@@ -54,11 +60,12 @@ TraversalStack emptyStack() {
   VKPT_STACK_UP(VKPT_STACK_CLEAR)
   return s;
 }
-void pushStack(inout TraversalStack s, uint entry) {
+void clearStack(inout TraversalStack s) { s.e0 = kEmptyStack; }
+void pushStack(inout TraversalStack s, bool push, uint entry) {
   VKPT_STACK_UP(VKPT_STACK_PUSH)
-  s.e0 = entry;
+  s.e0 = push ? entry : s.e0;
 }
-void popStack(inout TraversalStack s) { VKPT_STACK_DOWN(VKPT_STACK_POP) }
+void popStack(inout TraversalStack s, bool pop) { VKPT_STACK_DOWN(VKPT_STACK_POP) }
 uint topOfStack(TraversalStack s) { return s.e0; }
 void replaceTop(inout TraversalStack s, uint entry) { s.e0 = entry; }
 

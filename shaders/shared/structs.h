@@ -132,13 +132,13 @@ VKPT_CONSTANT uint kBounceCap = 10000u; // ends paths trapped by total internal 
 // (LP_MAX_TGSI_LOOP_ITERATIONS). A traversal step is one iteration of a loop with two loops inside, of at
 // most kNodesPerStep and kLeafTriangles iterations; a vertex starts only below kStepBudget, it counts as a
 // step, and its two traversals take at most kMaxTraversalSteps each. With a light tree come as many walks
-// through it as light samples, and one more. So the limit is never met: (2200 + 1 + 2 * 3400) * (1 + 2 + 4) +
+// through it as light samples, and one more. So the limit is never met: (1950 + 1 + 2 * 3050) * (1 + 3 + 4) +
 // 17 * 65 < 65535.
 VKPT_CONSTANT uint kMaxStackDepth = 48u; // levels of the tree, and one
-VKPT_CONSTANT uint kNodesPerStep = 2u;
+VKPT_CONSTANT uint kNodesPerStep = 3u;
 VKPT_CONSTANT uint kLeafTriangles = 4u; // vkpt::kMaxLeafTriangles
-VKPT_CONSTANT uint kStepBudget = 2200u;
-VKPT_CONSTANT uint kMaxTraversalSteps = 3400u; // with several light samples their shadow rays share them
+VKPT_CONSTANT uint kStepBudget = 1950u;
+VKPT_CONSTANT uint kMaxTraversalSteps = 3050u; // with several light samples their shadow rays share them
 VKPT_CONSTANT uint kMaxLightSamples = 16u;
 VKPT_CONSTANT uint kMaxSpecularSamples = 16u;
 VKPT_CONSTANT uint kMaxSplitDepth = 16u; // a path's branches are told apart by 16 bits
