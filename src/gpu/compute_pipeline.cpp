@@ -1,6 +1,7 @@
 #include "gpu/compute_pipeline.h"
 
 #include "core/error.h"
+#include "core/hash.h"
 
 #include <fmt/format.h>
 
@@ -10,10 +11,13 @@ BindingSet::BindingSet(const Context& context, std::span<const BindingLayout> bi
                        std::uint32_t pushConstantBytes) {
   std::vector<vk::DescriptorSetLayoutBinding> layout;
   std::vector<vk::DescriptorPoolSize> sizes;
+  std::vector<std::uint32_t> words{pushConstantBytes};
   for (const auto& b : bindings) {
     layout.emplace_back(b.binding, b.type, b.count, vk::ShaderStageFlagBits::eCompute);
     sizes.emplace_back(b.type, b.count);
+    words.insert(words.end(), {b.binding, static_cast<std::uint32_t>(b.type), b.count});
   }
+  m_layoutKey = hashBytes(std::as_bytes(std::span<const std::uint32_t>(words)));
   m_layout = vk::raii::DescriptorSetLayout(context.device(), {{}, layout});
   const vk::PushConstantRange push(vk::ShaderStageFlagBits::eCompute, 0, pushConstantBytes);
   m_pipelineLayout = vk::raii::PipelineLayout(context.device(), {{}, *m_layout, push});
@@ -40,6 +44,12 @@ void BindingSet::bind(const Context& context, std::uint32_t binding, const Buffe
 
 ComputePipeline::ComputePipeline(const Context& context, std::span<const std::uint32_t> spirv,
                                  const BindingSet& bindings, const SpecialisationMap& constants) {
+  const std::uint64_t key = pipelineKey(context, spirv, constants);
+  const std::uint64_t layoutKey = bindings.layoutKey();
+  const std::uint64_t madeKey = hashBytes(std::as_bytes(std::span(&layoutKey, 1)), key);
+  m_pipeline = context.madePipelines().find(madeKey);
+  if (m_pipeline)
+    return;
   std::vector<vk::SpecializationMapEntry> entries;
   std::vector<std::uint32_t> values;
   for (const auto& [id, value] : constants) {
@@ -53,10 +63,11 @@ ComputePipeline::ComputePipeline(const Context& context, std::span<const std::ui
     const vk::raii::ShaderModule module(context.device(), {{}, spirv.size_bytes(), spirv.data()});
     const vk::PipelineShaderStageCreateInfo stage({}, vk::ShaderStageFlagBits::eCompute, *module, "main",
                                                   &specialisation);
-    const PipelineCache cache(context, spirv, constants);
+    const PipelineCache cache(context, key);
     const vk::ComputePipelineCreateInfo info({}, stage, bindings.pipelineLayout());
-    m_pipeline = vk::raii::Pipeline(context.device(), cache.handle(), info);
+    m_pipeline = std::make_shared<vk::raii::Pipeline>(context.device(), cache.handle(), info);
     cache.save();
+    context.madePipelines().keep(madeKey, m_pipeline);
   } catch (const vk::SystemError& e) {
     throw DeviceError(
         fmt::format("{}: the compute pipeline could not be made: {}", context.info().name, e.what()));

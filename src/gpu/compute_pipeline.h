@@ -27,9 +27,12 @@ public:
             std::uint32_t element = 0) const;
 
   [[nodiscard]] vk::PipelineLayout pipelineLayout() const { return *m_pipelineLayout; }
+  /// Equal for sets of the same layout: a pipeline made for one serves the others.
+  [[nodiscard]] std::uint64_t layoutKey() const { return m_layoutKey; }
   [[nodiscard]] vk::DescriptorSet set() const { return *m_sets[0]; }
 
 private:
+  std::uint64_t m_layoutKey = 0;
   vk::raii::DescriptorSetLayout m_layout = nullptr;
   vk::raii::PipelineLayout m_pipelineLayout = nullptr;
   vk::raii::DescriptorPool m_pool = nullptr;
@@ -40,10 +43,10 @@ class ComputePipeline {
 public:
   ComputePipeline(const Context& context, std::span<const std::uint32_t> spirv, const BindingSet& bindings,
                   const SpecialisationMap& constants);
-  [[nodiscard]] vk::Pipeline handle() const { return *m_pipeline; }
+  [[nodiscard]] vk::Pipeline handle() const { return **m_pipeline; }
 
 private:
-  vk::raii::Pipeline m_pipeline = nullptr;
+  MadePipelines::Pipeline m_pipeline;
 };
 
 } // namespace vkpt::gpu

@@ -1,6 +1,8 @@
 #pragma once
 // The Vulkan instance, device and queue that everything on the device shares.
 
+#include "gpu/made_pipelines.h"
+
 #include <vulkan/vulkan_raii.hpp>
 
 #include <atomic>
@@ -58,6 +60,7 @@ public:
   [[nodiscard]] const DeviceInfo& info() const { return m_info; }
   [[nodiscard]] const vk::PhysicalDeviceProperties& properties() const { return m_properties; }
   [[nodiscard]] const std::filesystem::path& pipelineCache() const { return m_pipelineCache; }
+  [[nodiscard]] MadePipelines& madePipelines() const { return *m_madePipelines; }
   /// Bytes of the device's largest memory heap.
   [[nodiscard]] std::uint64_t largestHeap() const;
   /// Messages of the validation layer so far; tests demand none.
@@ -83,6 +86,7 @@ private:
   vk::PhysicalDeviceMemoryProperties m_memory;
   DeviceInfo m_info;
   std::filesystem::path m_pipelineCache;
+  std::unique_ptr<MadePipelines> m_madePipelines = std::make_unique<MadePipelines>();
 };
 
 } // namespace vkpt::gpu

@@ -31,20 +31,6 @@ std::uint64_t hashOf(std::span<const T> values, std::uint64_t basis) {
   return hashBytes(std::as_bytes(values), basis);
 }
 
-std::uint64_t keyOf(const Context& context, std::span<const std::uint32_t> spirv,
-                    const SpecialisationMap& constants) {
-  const vk::PhysicalDeviceProperties& p = context.properties();
-  const std::array<std::uint32_t, 4> device{p.vendorID, p.deviceID, p.driverVersion, p.apiVersion};
-  std::vector<std::uint32_t> values;
-  for (const auto& [id, value] : constants)
-    values.insert(values.end(), {id, value});
-  std::uint64_t key = hashText(context.info().name + context.info().driver);
-  key = hashOf(std::span<const std::uint32_t>(device), key);
-  key = hashOf(std::span<const std::uint8_t>(p.pipelineCacheUUID), key);
-  key = hashOf(std::span<const std::uint32_t>(values), key);
-  return hashOf(spirv, key);
-}
-
 FileHeader headerOf(std::uint64_t key, const Bytes& data) {
   FileHeader header;
   header.key = key;
@@ -92,11 +78,23 @@ void writeData(const fs::path& path, std::uint64_t key, const Bytes& data) {
 
 } // namespace
 
-PipelineCache::PipelineCache(const Context& context, std::span<const std::uint32_t> spirv,
-                             const SpecialisationMap& constants) {
+std::uint64_t pipelineKey(const Context& context, std::span<const std::uint32_t> spirv,
+                          const SpecialisationMap& constants) {
+  const vk::PhysicalDeviceProperties& p = context.properties();
+  const std::array<std::uint32_t, 4> device{p.vendorID, p.deviceID, p.driverVersion, p.apiVersion};
+  std::vector<std::uint32_t> values;
+  for (const auto& [id, value] : constants)
+    values.insert(values.end(), {id, value});
+  std::uint64_t key = hashText(context.info().name + context.info().driver);
+  key = hashOf(std::span<const std::uint32_t>(device), key);
+  key = hashOf(std::span<const std::uint8_t>(p.pipelineCacheUUID), key);
+  key = hashOf(std::span<const std::uint32_t>(values), key);
+  return hashOf(spirv, key);
+}
+
+PipelineCache::PipelineCache(const Context& context, std::uint64_t pipelineKey) : m_key(pipelineKey) {
   if (context.pipelineCache().empty())
     return;
-  m_key = keyOf(context, spirv, constants);
   m_file = context.pipelineCache() / fmt::format("{:016x}.pipeline", m_key);
   m_read = readData(m_file, m_key);
   m_cache = vk::raii::PipelineCache(

@@ -11,12 +11,15 @@ namespace vkpt::gpu {
 /// Values of specialisation constants by id; booleans are 0 or 1.
 using SpecialisationMap = std::map<std::uint32_t, std::uint32_t>;
 
+/// What tells a kernel with these constants on this device and driver from all others.
+std::uint64_t pipelineKey(const Context& context, std::span<const std::uint32_t> spirv,
+                          const SpecialisationMap& constants);
+
 /// What a driver compiled before, as far as the context has a cache folder and it can be used: a file that is
 /// missing, corrupt or another driver's counts for nothing, and a folder that can't be written is left alone.
 class PipelineCache {
 public:
-  PipelineCache(const Context& context, std::span<const std::uint32_t> spirv,
-                const SpecialisationMap& constants);
+  PipelineCache(const Context& context, std::uint64_t pipelineKey);
   /// Null without a folder.
   [[nodiscard]] vk::Optional<const vk::raii::PipelineCache> handle() const {
     return m_file.empty() ? vk::Optional<const vk::raii::PipelineCache>(nullptr) : m_cache;

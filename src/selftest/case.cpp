@@ -29,7 +29,7 @@ CaseResult runCase(const Case& which, const gpu::Context& context, const Kernel&
   const std::uint64_t messages = context.validationMessages();
   const Stopwatch watch;
   try {
-    which.run(trial);
+    trial.run(which.run);
   } catch (const std::exception& e) {
     trial.expect(false, e.what());
   }

@@ -14,6 +14,8 @@ constexpr double kMeanBound = 4.0; // standard errors
 constexpr const char* kChannels[] = {"red", "green", "blue"};
 constexpr std::size_t kMostPictures = 16;
 
+struct Noticed {}; // there is nothing more to learn
+
 } // namespace
 
 Verdict Figure::verdict() const {
@@ -27,7 +29,16 @@ std::uint32_t Trial::seed(const std::string& what) const {
   return seedOf(fmt::format("{}#{}", m_check, what)) + m_seed * 0x9E3779B9U;
 }
 
+void Trial::run(const std::function<void(Trial&)>& check) {
+  try {
+    check(*this);
+  } catch (const Noticed&) {
+  }
+}
+
 RenderSetup Trial::complete(RenderSetup setup) {
+  if (!isShipped() && !m_failures.empty())
+    throw Noticed();
   setup.kernel = m_kernel;
   if (setup.seed == 0)
     setup.seed = seed(std::to_string(m_renders));

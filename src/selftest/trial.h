@@ -3,6 +3,7 @@
 
 #include "selftest/render_scene.h"
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -27,6 +28,9 @@ public:
   /// `seed` is that of the run; each render of each check has numbers of its own.
   Trial(std::string check, const gpu::Context& context, const Kernel& kernel = {}, std::uint32_t seed = 0)
       : m_check(std::move(check)), m_context(context), m_kernel(kernel), m_seed(seed) {}
+
+  /// Runs a check to its end; on a kernel with a mistake no render is begun once that has been noticed.
+  void run(const std::function<void(Trial&)>& check);
 
   [[nodiscard]] const gpu::Context& context() const { return m_context; }
   [[nodiscard]] const Kernel& kernel() const { return m_kernel; }

@@ -132,7 +132,8 @@ TEST(AssignmentPage, ListIsTheReadmesTable) {
     for (const Listed& picture : pictures) {
       EXPECT_TRUE(contains(text.str(), "| `" + picture.name + "` | `" + picture.arguments + "` |"))
           << picture.name;
-      EXPECT_TRUE(fs::exists(std::string(VKPT_SOURCE_DIR) + "/assets/gallery/" + picture.name + ".png"));
+      EXPECT_TRUE(
+          fs::exists(fs::path(VKPT_SOURCE_DIR) / "assets/gallery" / fmt::format("{}.png", picture.name)));
     }
   }
 }

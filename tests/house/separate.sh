@@ -5,7 +5,8 @@ set -euo pipefail
 source_dir=$1 base=${2-}
 world=$(mktemp -d)
 trap 'rm -rf "$world"' EXIT
-cmake -S "$source_dir" -B "$world" -G Ninja -DCMAKE_BUILD_TYPE=Release -DVKPT_TESTS=ON -DCMAKE_UNITY_BUILD=OFF >/dev/null
+cmake -S "$source_dir" -B "$world" -G Ninja -DCMAKE_BUILD_TYPE=Release -DVKPT_TESTS=ON -DCMAKE_UNITY_BUILD=OFF \
+  -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON >/dev/null
 cd "$source_dir"
 python3 - "$world/compile_commands.json" <<'PYTHON' >"$world/all"
 import json, sys

@@ -91,22 +91,21 @@ void furnaceFromLights(Trial& t) {
 
 /// Flat and with shading normals that have little to do with the triangles': what the eye's paths find by
 /// themselves.
-void causticsFromLights(Trial& t) {
-  for (const bool smooth : {false, true}) {
-    const Scene scene = smooth ? smoothed(causticRoom()) : causticRoom();
-    const auto with = [&](const EstimatorSettings& e, std::uint64_t frames) {
-      return t.render(scene, {.estimator = e, .width = 32, .height = 32, .frames = frames}).film;
-    };
-    const Film lights = with(fromLights(), 1024);
-    const Film eye = with(misSampling(), 2048);
-    const std::string what = smooth ? "smooth" : "flat";
-    t.expectEqualMeans(lights, eye, 0.02, what);
-    // By place: the columns of a wide image.
-    for (int i = 0; i < 4; ++i)
-      t.expectEqualMeans(columns(lights, 8 * i, 8), columns(eye, 8 * i, 8), 0.05,
-                         fmt::format("{}, columns from {}", what, 8 * i));
-  }
+void expectLightsCaustics(Trial& t, const Scene& scene) {
+  const auto with = [&](const EstimatorSettings& e, std::uint64_t frames) {
+    return t.render(scene, {.estimator = e, .width = 32, .height = 32, .frames = frames}).film;
+  };
+  const Film lights = with(fromLights(), 1024);
+  const Film eye = with(misSampling(), 2048);
+  t.expectEqualMeans(lights, eye, 0.02, "the image");
+  // By place: the columns of a wide image.
+  for (int i = 0; i < 4; ++i)
+    t.expectEqualMeans(columns(lights, 8 * i, 8), columns(eye, 8 * i, 8), 0.05,
+                       fmt::format("columns from {}", 8 * i));
 }
+
+void causticsFromLights(Trial& t) { expectLightsCaustics(t, causticRoom()); }
+void smoothCausticsFromLights(Trial& t) { expectLightsCaustics(t, smoothed(causticRoom())); }
 
 /// A mirror whose shading normals all lean the same way sends a lamp's light to a wall. The mirror's cosines
 /// towards the lamp and towards the wall, of which flux knows and the shading normals don't, differ
@@ -214,10 +213,15 @@ void repeatsAverage(Trial& t) {
 }
 
 constexpr Check kLightTracingChecks[] = {
-    {"repeatsAverage", repeatsAverage},       {"carriedFromLights", carriedFromLights},
-    {"leaningMirror", leaningMirror},         {"lightIntoGlass", lightIntoGlass},
-    {"furnaceFromLights", furnaceFromLights}, {"causticsFromLights", causticsFromLights},
-    {"varietyFromLights", varietyFromLights}, {"limitedFromLights", limitedFromLights},
+    {"repeatsAverage", repeatsAverage},
+    {"carriedFromLights", carriedFromLights},
+    {"leaningMirror", leaningMirror},
+    {"lightIntoGlass", lightIntoGlass},
+    {"furnaceFromLights", furnaceFromLights},
+    {"causticsFromLights", causticsFromLights},
+    {"smoothCausticsFromLights", smoothCausticsFromLights},
+    {"varietyFromLights", varietyFromLights},
+    {"limitedFromLights", limitedFromLights},
 };
 
 } // namespace

@@ -76,7 +76,7 @@ constexpr Watch kWatches[] = {
     {Mutation::AxisCosineDropped, "lightIntoGlass"},
     {Mutation::ShadingAdjointDropped, "leaningMirror"},
     {Mutation::IndexAdjointDropped, "lightIntoGlass"},
-    {Mutation::IrreversibleJoined, "causticsFromLights"},
+    {Mutation::IrreversibleJoined, "smoothCausticsFromLights"},
     {Mutation::SplatCarryLost, "leaningMirror"},
     {Mutation::RepeatsAlike, "repeatsAverage"},
     {Mutation::RepeatsNotAveraged, "repeatsAverage"},
@@ -100,7 +100,7 @@ const Check& checkFor(Mutation mutation) {
 
 std::vector<std::string> failuresOf(const Check& check, const MutationInfo& mutation) {
   Trial trial(check.name, sharedContext(), mutatedKernel(static_cast<std::uint32_t>(mutation.mutation)));
-  check.run(trial);
+  trial.run(check.run);
   return trial.failures();
 }
 

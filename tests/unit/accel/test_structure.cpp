@@ -28,7 +28,7 @@ TEST(BvhStructure, HoldsForEverySmallCount) {
 /// Far above the size from which all threads split a range together: the boxes from such splits are still
 /// there after the collapse.
 TEST(BvhStructure, HoldsWhereRangesAreSplitInChunks) {
-  for (const Mesh& mesh : {waves(350), soup(250'000, 0.01F, "chunks"), coincident(250'000)}) {
+  for (const Mesh& mesh : {waves(230), soup(100'000, 0.01F, "chunks"), coincident(100'000)}) {
     const std::vector<Box3f> boxes = boxesOf(mesh);
     EXPECT_EQ(flawOf(buildBvh(boxes), boxes), "");
     EXPECT_EQ(flawOf(buildBvh(boxes, {.maxDepth = smallestBvhDepth(boxes.size())}), boxes), "");
