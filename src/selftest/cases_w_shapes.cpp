@@ -64,10 +64,10 @@ void slivers(Trial& t) {
   const Vec3d a(-1.0, 1.0, 0.2);
   const Vec3d b(1.0, 1.0, 0.3);
   const Vec3d c(0.0, 1.0, 0.25 + 1e-5);
-  constexpr float kRadiance = 1e5F;
+  constexpr float kSliverRadiance = 1e5F;
   SceneBuilder builder;
   builder.floor(Vec3d(0.0), 1.0, diffuse(Vec3f(0.5F)))
-      .triangle(a, b, c, emitter(Vec3f(kRadiance)))
+      .triangle(a, b, c, emitter(Vec3f(kSliverRadiance)))
       .camera(lookAt({0.5, 0.7, -0.4}, Vec3d(0.0), kPointFov));
   const Scene scene = builder.build();
   const auto& p = scene.positions; // the floats that are rendered
@@ -77,7 +77,8 @@ void slivers(Trial& t) {
       polygonIrradiance({Vec3d(p[n - 3]), Vec3d(p[n - 2]), Vec3d(p[n - 1])}, floorPoint, {0.0, 1.0, 0.0});
   const EstimatorSettings settings = withBounces(lightSampling(), 1);
   const Film film = t.render(scene, {.estimator = settings, .width = 64, .height = 64, .frames = 16}).film;
-  t.expectMean(film, Vec3d(kRadiance * 0.5 * irradiance / std::numbers::pi), 0.01, "a sliver of a lamp");
+  t.expectMean(film, Vec3d(kSliverRadiance * 0.5 * irradiance / std::numbers::pi), 0.01,
+               "a sliver of a lamp");
 }
 
 /// Trees over what no plane parts: everything is still found, and nothing is given up.
@@ -109,10 +110,10 @@ void hardTrees(Trial& t) {
 void mixedUnits(Trial& t) {
   constexpr double kSmall = 1e-5;
   constexpr double kLarge = 1e7;
-  constexpr Vec3f kRadiance(3.0F, 2.0F, 1.0F);
+  constexpr Vec3f kLampRadiance(3.0F, 2.0F, 1.0F);
   SceneBuilder builder;
   builder.floor(Vec3d(0.0), 4.0 * kSmall, diffuse(Vec3f(0.5F)))
-      .ceiling({0.0, kSmall, 0.0}, kSmall, emitter(kRadiance))
+      .ceiling({0.0, kSmall, 0.0}, kSmall, emitter(kLampRadiance))
       .box(Vec3d(-kLarge), Vec3d(kLarge), Facing::Inward, diffuse(Vec3f(0.5F)))
       .camera(lookAt({3.0 * kSmall, 0.5 * kSmall, 0.0}, Vec3d(0.0), kPointFov));
   const double h = 1.0;
@@ -121,7 +122,7 @@ void mixedUnits(Trial& t) {
   const EstimatorSettings settings = withBounces(misSampling(), 1);
   const Film film =
       t.render(builder.build(), {.estimator = settings, .width = 64, .height = 64, .frames = 32}).film;
-  t.expectMean(film, Vec3d(kRadiance) * (0.5 * irradiance / std::numbers::pi), 0.01,
+  t.expectMean(film, Vec3d(kLampRadiance) * (0.5 * irradiance / std::numbers::pi), 0.01,
                "a floor of 1e-5 in 2e7");
 }
 

@@ -27,6 +27,7 @@ SCENES = {
 ESTIMATORS = {
     "sobol, mis": "Sobol' points, multiple importance sampling",
     "and specular samples": "and specular samples: the default",
+    "and shared paths": "and shared paths: `--path-reuse 64`",
 }
 
 

@@ -8,10 +8,10 @@ namespace {
 constexpr EstimatorSettings kWithLights{
     .sampler = Sampler::Sobol, .lightTracing = LightTracing::On, .specularSamples = 4};
 
-TEST(Calibration, OfTheCornellBox) { expectCalibrated(sceneOf("cornell", 48, 48), 24, 256); }
+TEST(Calibration, OfTheCornellBox) { expectCalibrated(sceneOf("cornell", 32, 32), 24, 256); }
 
 TEST(Calibration, OfSobolPoints) {
-  expectCalibrated(sceneOf("cornell", 48, 48), 24, 256, {.sampler = Sampler::Sobol});
+  expectCalibrated(sceneOf("cornell", 32, 32), 24, 256, {.sampler = Sampler::Sobol});
 }
 
 TEST(Calibration, OfPathsFromTheLights) {

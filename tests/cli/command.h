@@ -83,6 +83,10 @@ private:
 
 CommandResult vkpt(const std::vector<std::string>& arguments, const CommandSettings& settings);
 
+inline bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
 /// Into the test's output, for figures that are told and not tested.
 void tell(const std::string& what, double figure, const std::string& unit);
 

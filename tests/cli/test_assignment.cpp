@@ -21,10 +21,6 @@ CommandResult assignment(const WorkFolder& folder, std::vector<std::string> argu
   return vkpt(arguments, {folder.path(), {}});
 }
 
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
-
 struct Listed {
   std::string name, samples, arguments;
 };

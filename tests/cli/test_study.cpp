@@ -26,10 +26,6 @@ std::vector<std::string> namesOf(const json& results) {
   return names;
 }
 
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
-
 TEST(Study, ComparesSettingsInAReportThatStandsAlone) {
   const WorkFolder folder;
   const CommandResult r = study(folder, {"cornell", "--size", "24x24", "--frames", "24", "--seeds", "2",

@@ -288,11 +288,11 @@ const std::vector<BadNori> kTransforms{
      "scene.xml:3:2: the camera is beyond 1e+18"},
 };
 
-const auto kName = [](const auto& info) { return std::string(info.param.name); };
-INSTANTIATE_TEST_SUITE_P(Syntax, BadNoriTest, testing::ValuesIn(kSyntax), kName);
-INSTANTIATE_TEST_SUITE_P(Objects, BadNoriTest, testing::ValuesIn(kObjects), kName);
-INSTANTIATE_TEST_SUITE_P(Properties, BadNoriTest, testing::ValuesIn(kProperties), kName);
-INSTANTIATE_TEST_SUITE_P(Transforms, BadNoriTest, testing::ValuesIn(kTransforms), kName);
+const auto kNameOfBadFile = [](const auto& info) { return std::string(info.param.name); };
+INSTANTIATE_TEST_SUITE_P(Syntax, BadNoriTest, testing::ValuesIn(kSyntax), kNameOfBadFile);
+INSTANTIATE_TEST_SUITE_P(Objects, BadNoriTest, testing::ValuesIn(kObjects), kNameOfBadFile);
+INSTANTIATE_TEST_SUITE_P(Properties, BadNoriTest, testing::ValuesIn(kProperties), kNameOfBadFile);
+INSTANTIATE_TEST_SUITE_P(Transforms, BadNoriTest, testing::ValuesIn(kTransforms), kNameOfBadFile);
 
 TEST(BadNoriFile, EntitiesAreNotExpanded) {
   std::string dtd = "<!DOCTYPE scene [\n<!ENTITY a0 'lol'>\n";

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 namespace vkpt::test {
@@ -73,7 +74,7 @@ TEST(SmoothNormals, DoNotDependOnTheUnit) {
 TEST(FileNormals, ZeroAndNanFallBackToTheGeometricOne) {
   for (const char* bad : {"vn 0 0 0", "vn nan 0 1", "vn 1 inf 0", "vn 0 0 1e999"}) {
     const auto [scene, report] =
-        loadText(std::string(kSquare) + "vn 0 0 1\n" + bad + "\nf 1//1 2//1 4//1\nf 2//1 3//2 4//1\n");
+        loadText(fmt::format("{}vn 0 0 1\n{}\nf 1//1 2//1 4//1\nf 2//1 3//2 4//1\n", kSquare, bad));
     ASSERT_EQ(scene.triangles.size(), 4U);
     EXPECT_NE(scene.triangles[2].normal[0], kNoNormal) << bad;
     EXPECT_EQ(scene.triangles[3].normal[0], kNoNormal) << bad;
