@@ -61,7 +61,7 @@ def errors(run):
         first = r["estimator"] == "plain"
         rows.append([SCENES[r["scene"]] if first else "", ESTIMATORS.get(r["estimator"], r["estimator"]),
                      f"{1e-6 * r['samplesPerSecond']:.2f}", f"{r['rmse']:.4f}", f"{r['ofPlain']:.2f}",
-                     f"{r['efficiency']:.3g}", f"{r['overPlain']:.1f}"])
+                     f"{float(format(r['efficiency'], '.3g')):g}", f"{r['overPlain']:.1f}"])
     return table(head, rows)
 
 
