@@ -3,6 +3,7 @@
 #include "cli/browser.h"
 #include "film/image.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
