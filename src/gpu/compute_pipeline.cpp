@@ -50,19 +50,11 @@ ComputePipeline::ComputePipeline(const Context& context, std::span<const std::ui
   m_pipeline = context.madePipelines().find(madeKey);
   if (m_pipeline)
     return;
-  std::vector<vk::SpecializationMapEntry> entries;
-  std::vector<std::uint32_t> values;
-  for (const auto& [id, value] : constants) {
-    entries.emplace_back(id, static_cast<std::uint32_t>(values.size() * sizeof(std::uint32_t)),
-                         sizeof(std::uint32_t));
-    values.push_back(value);
-  }
-  const vk::SpecializationInfo specialisation(static_cast<std::uint32_t>(entries.size()), entries.data(),
-                                              values.size() * sizeof(std::uint32_t), values.data());
+  const std::vector<std::uint32_t> code = specialised(spirv, constants);
   try {
-    const vk::raii::ShaderModule module(context.device(), {{}, spirv.size_bytes(), spirv.data()});
-    const vk::PipelineShaderStageCreateInfo stage({}, vk::ShaderStageFlagBits::eCompute, *module, "main",
-                                                  &specialisation);
+    const vk::raii::ShaderModule module(context.device(),
+                                        {{}, code.size() * sizeof(std::uint32_t), code.data()});
+    const vk::PipelineShaderStageCreateInfo stage({}, vk::ShaderStageFlagBits::eCompute, *module, "main");
     const PipelineCache cache(context, key);
     const vk::ComputePipelineCreateInfo info({}, stage, bindings.pipelineLayout());
     m_pipeline = std::make_shared<vk::raii::Pipeline>(context.device(), cache.handle(), info);

@@ -2,14 +2,11 @@
 // Compiled pipelines on disk, one file for each kernel, set of constants, device and driver.
 
 #include "gpu/context.h"
+#include "gpu/specialised.h"
 
-#include <map>
 #include <span>
 
 namespace vkpt::gpu {
-
-/// Values of specialisation constants by id; booleans are 0 or 1.
-using SpecialisationMap = std::map<std::uint32_t, std::uint32_t>;
 
 /// What tells a kernel with these constants on this device and driver from all others.
 std::uint64_t pipelineKey(const Context& context, std::span<const std::uint32_t> spirv,

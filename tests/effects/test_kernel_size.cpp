@@ -1,7 +1,7 @@
 // What is not called for is not there: the specialised kernel is smaller without it, whatever else the
 // library knows.
 #include "device/effects.h"
-#include "effects/specialised.h"
+#include "effects/reduced.h"
 #include "scene/load.h"
 #include "spirv.h"
 
@@ -42,22 +42,22 @@ std::map<std::uint32_t, std::size_t> instructions(const Spirv& module) {
 
 /// Out of everything, where what depends on it is still there.
 TEST(KernelSize, IsSmallerWithoutAnyOneEffect) {
-  const std::size_t all = specialised(spirv::kPath, idsOf(EffectSet::all())).size();
+  const std::size_t all = reduced(spirv::kPath, idsOf(EffectSet::all())).size();
   for (const EffectInfo& e : allEffects()) {
     EffectSet rest = EffectSet::all();
     rest.set(e.effect, false);
-    const std::size_t size = specialised(spirv::kPath, idsOf(rest)).size();
+    const std::size_t size = reduced(spirv::kPath, idsOf(rest)).size();
     std::cout << e.name << ": " << all - size << " of " << all << " words\n";
     EXPECT_LT(size, all) << e.name;
   }
 }
 
 TEST(KernelSize, DoesNotGrowWithTheLibrary) {
-  const Spirv before = specialised(spirv::kPlainPath, diffuseBox());
-  const Spirv after = specialised(spirv::kExtendedPath, diffuseBox());
+  const Spirv before = reduced(spirv::kPlainPath, diffuseBox());
+  const Spirv after = reduced(spirv::kExtendedPath, diffuseBox());
   EXPECT_EQ(after.size(), before.size());
   EXPECT_EQ(instructions(after), instructions(before)) << "not the same instructions: not the same time";
-  EXPECT_GT(specialised(spirv::kExtendedPath, with(diffuseBox(), kVelvet)).size(), before.size())
+  EXPECT_GT(reduced(spirv::kExtendedPath, with(diffuseBox(), kVelvet)).size(), before.size())
       << "the BSDF that was added is nowhere";
 }
 

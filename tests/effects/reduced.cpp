@@ -1,4 +1,6 @@
-#include "effects/specialised.h"
+#include "effects/reduced.h"
+
+#include "gpu/specialised.h"
 
 #include <spirv-tools/libspirv.hpp>
 #include <spirv-tools/optimizer.hpp>
@@ -6,7 +8,6 @@
 #include <algorithm>
 #include <stdexcept>
 #include <string>
-#include <unordered_map>
 
 namespace vkpt::test {
 namespace {
@@ -39,18 +40,16 @@ EffectIds idsOf(const EffectSet& set) {
   return ids;
 }
 
-Spirv specialised(std::span<const std::uint32_t> kernel, const EffectIds& on) {
-  std::unordered_map<std::uint32_t, std::vector<std::uint32_t>> constants;
+Spirv reduced(std::span<const std::uint32_t> kernel, const EffectIds& on) {
+  gpu::SpecialisationMap constants;
   for (std::uint32_t id = 0; id < kIds; ++id)
-    constants[id] = {std::ranges::count(on, id) > 0 ? 1U : 0U};
-  constants[shared::kConstantReuseEdge] = {2U}; // pixels share paths where that effect is on
+    constants[id] = std::ranges::count(on, id) > 0 ? 1U : 0U;
+  constants[shared::kConstantReuseEdge] = 2U; // pixels share paths where that effect is on
+  const Spirv code = gpu::specialised(kernel, constants);
   Messages messages;
   spvtools::Optimizer optimizer(kEnvironment);
   optimizer.SetMessageConsumer(messages.consumer());
   optimizer.RegisterPass(spvtools::CreateStripDebugInfoPass())
-      .RegisterPass(spvtools::CreateSetSpecConstantDefaultValuePass(constants))
-      .RegisterPass(spvtools::CreateFreezeSpecConstantValuePass())
-      .RegisterPass(spvtools::CreateFoldSpecConstantOpAndCompositePass())
       .RegisterPass(spvtools::CreateSSARewritePass())
       .RegisterPass(spvtools::CreateCCPPass())
       .RegisterPass(spvtools::CreateDeadBranchElimPass())
@@ -60,7 +59,7 @@ Spirv specialised(std::span<const std::uint32_t> kernel, const EffectIds& on) {
       .RegisterPass(spvtools::CreateEliminateDeadConstantPass())
       .RegisterPass(spvtools::CreateCompactIdsPass());
   Spirv result;
-  if (!optimizer.Run(kernel.data(), kernel.size(), &result))
+  if (!optimizer.Run(code.data(), code.size(), &result))
     messages.fail("spirv-opt");
   spvtools::SpirvTools tools(kEnvironment);
   tools.SetMessageConsumer(messages.consumer());
