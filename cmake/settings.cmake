@@ -12,7 +12,7 @@ set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}) # the command is build/v
 find_package(Threads REQUIRED)
 
 set(VKPT_SANITIZE "" CACHE STRING "Sanitizers of our own code, e.g. address,undefined")
-option(VKPT_HOST_ONLY "Leave out the tests labelled `device`: no Vulkan driver under the sanitizers" OFF)
+option(VKPT_HOST_ONLY "Leave out what needs a device: no Vulkan driver under the sanitizers" OFF)
 
 add_library(vkpt_settings INTERFACE)
 target_compile_options(vkpt_settings INTERFACE -Wall -Wextra -Wconversion -Wshadow -Werror -ffp-contract=off)
