@@ -1,12 +1,14 @@
 #include "scene_choice.h"
 
 #include "scene/load.h"
+#include "scene/placement.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 
 namespace vkpt::bench {
 namespace {
@@ -151,6 +153,55 @@ Scene boxWithLights(int size) {
   return scene;
 }
 
+void setMaterial(Scene& scene, std::string_view name, BsdfType bsdf, const Vec3f& reflectance,
+                 const Vec3f& emission = Vec3f(0.0F)) {
+  Material& m = scene.materials.at(materialNamed(scene, name));
+  m.bsdf = bsdf;
+  m.reflectance = reflectance;
+  m.emission = emission;
+}
+
+/// Moves what is made of a material, a sphere, to where it is to be.
+void moveSphere(Scene& scene, std::string_view material, const Vec3f& centre, float radius) {
+  const std::uint32_t id = materialNamed(scene, material);
+  std::set<std::uint32_t> vertices;
+  for (const Triangle& t : scene.triangles) {
+    if (t.material == id)
+      vertices.insert(t.vertex.begin(), t.vertex.end());
+  }
+  Box3f box;
+  for (const std::uint32_t v : vertices)
+    box.extend(scene.positions[v]);
+  const float scale = 2.0F * radius / box.extent().y;
+  for (const std::uint32_t v : vertices)
+    scene.positions[v] = centre + scale * (scene.positions[v] - box.centre());
+}
+
+/// The box as other renderers were measured in it: colours, camera and spheres given in the measured data's
+/// millimetres.
+Scene peersBox(bool spheres, int size) {
+  const std::vector<fs::path> files =
+      spheres ? std::vector<fs::path>{"CornellBox.obj", "CornellLeftSphere.obj", "CornellRightSphere.obj"}
+              : std::vector<fs::path>{"CornellBox.obj", "CornellBlocks.obj"};
+  Scene scene = loadFiles(files, size);
+  setMaterial(scene, "white", BsdfType::Diffuse, {0.725F, 0.71F, 0.68F});
+  setMaterial(scene, "red", BsdfType::Diffuse, {0.63F, 0.065F, 0.05F});
+  setMaterial(scene, "green", BsdfType::Diffuse, {0.14F, 0.45F, 0.091F});
+  setMaterial(scene, "light", BsdfType::Diffuse, Vec3f(0.0F), {17.0F, 12.0F, 4.0F});
+  const Placement place = placementFor("CornellBox.obj");
+  scene.camera = {place.position({278.0, 273.0, -800.0}), place.position({278.0, 273.0, 0.0})};
+  scene.camera.fovDegrees = 39.3;
+  scene.camera.fovAxis = Camera::FovAxis::Horizontal;
+  if (spheres) {
+    const auto local = [&](const Vec3d& p) { return Vec3f(place.position(p) - scene.origin); };
+    const auto radius = static_cast<float>(100.0 * place.scale);
+    setMaterial(scene, "silver", BsdfType::Mirror, Vec3f(0.95F));
+    moveSphere(scene, "silver", local({400.0, 100.0, 370.0}), radius);
+    moveSphere(scene, "glass", local({155.0, 100.0, 190.0}), radius);
+  }
+  return scene;
+}
+
 } // namespace
 
 Scene boxWithBall(std::uint32_t triangles, int size) {
@@ -178,6 +229,8 @@ Scene loadByName(const std::string& name, int size, const fs::path& mesh) {
     return boxWithBall(kMillion, size);
   if (name == "lights")
     return boxWithLights(size);
+  if (name == "peers-blocks" || name == "peers-spheres")
+    return peersBox(name == "peers-spheres", size);
   if (fs::path(name).has_extension())
     return loadFiles({name}, size);
   throw UsageError(fmt::format("--scenes {}: {}", name, kSceneNames));

@@ -16,6 +16,7 @@ Scene boxWithBall(std::uint32_t triangles, int size);
 
 /// What names stand for, for --help.
 inline constexpr const char* kSceneNames =
-    "blocks, spheres, busts (Phong), mesh, million (triangles), lights (1000 emissive triangles); or files";
+    "blocks, spheres, busts (Phong), mesh, million (triangles), lights (1000 emissive triangles); "
+    "peers-blocks, peers-spheres (the box in which other renderers were measured); or files";
 
 } // namespace vkpt::bench
