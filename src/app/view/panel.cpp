@@ -9,6 +9,8 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
 
 namespace vkpt {
@@ -102,10 +104,31 @@ void drawKinds(EstimatorSettings& e) {
   }
 }
 
+/// Splitting and sharing exclude each other: what is chosen last stays.
+void drawSplittingAndSharing(EstimatorSettings& e) {
+  int split = static_cast<int>(e.splitDepth);
+  if (ImGui::InputInt("splitting", &split)) {
+    e.splitDepth = static_cast<std::uint32_t>(std::clamp(split, 0, static_cast<int>(shared::kMaxSplitDepth)));
+    if (e.splitDepth > 0)
+      e.pathReuse = 1;
+  }
+  enum class Sharing : std::uint8_t { None, Four, Sixteen, Block };
+  constexpr std::array<std::string_view, 4> kSharingNames{"1", "4", "16", "64"};
+  const auto before = static_cast<Sharing>(std::countr_zero(e.reuseEdge()));
+  Sharing sharing = before;
+  choice("pixels share paths", kSharingNames, sharing);
+  if (sharing != before) {
+    e.pathReuse = 1U << (2U * static_cast<std::uint32_t>(sharing));
+    if (e.pathReuse > 1)
+      e.splitDepth = 0;
+  }
+}
+
 void drawEstimator(ViewSettings& settings) {
   EstimatorSettings& e = settings.estimator;
   choice("samples", kSamplerNames, e.sampler);
   choice("lights found by", kLightNames, e.light);
+  choice("lights chosen by", kLightSelectionNames, e.lightSelection);
   bool limited = e.maxBounces != kUnlimitedBounces;
   if (ImGui::Checkbox("limit bounces", &limited)) {
     constexpr std::uint32_t kFirstLimit = 4;
@@ -118,9 +141,7 @@ void drawEstimator(ViewSettings& settings) {
       e.maxBounces = static_cast<std::uint32_t>(std::clamp(bounces, 0, 1000));
   }
   drawRoulette(e);
-  int split = static_cast<int>(e.splitDepth);
-  if (ImGui::InputInt("splitting", &split))
-    e.splitDepth = static_cast<std::uint32_t>(std::clamp(split, 0, static_cast<int>(shared::kMaxSplitDepth)));
+  drawSplittingAndSharing(e);
   bool fromLights = e.lightTracing != LightTracing::Off;
   if (ImGui::Checkbox("paths from lights", &fromLights))
     e.lightTracing = fromLights ? LightTracing::Auto : LightTracing::Off;
