@@ -26,6 +26,8 @@ layout(set = 0, binding = kBindingUvs, rgba32ui) uniform readonly restrict uimag
 layout(set = 0, binding = kBindingTextures, rgba32ui) uniform readonly restrict uimageBuffer textureTexels;
 layout(set = 0, binding = kBindingEnvironment, rgba32ui) uniform readonly restrict uimageBuffer environmentTexels;
 
+layout(set = 0, binding = kBindingGuide, r32ui) uniform readonly restrict uimageBuffer guideNumbers;
+
 vec4 nodeBounds(uint node, uint row) {
   return uintBitsToFloat(imageLoad(nodeTexels, int(node * kTexelsPerNode + row)));
 }
@@ -126,6 +128,16 @@ LightNode lightNode(uint i) {
   return n;
 }
 uint lightNodeParent(uint i) { return imageLoad(lightNodeTexels, int(i * kTexelsPerLightNode + 2u)).x; }
+
+vec3 guideLower() { return frame.guideLower.xyz; }
+float guideCubesPerMetre() { return frame.guideLower.w; }
+uint guideGridEdge() { return frame.guideGridEdge; }
+uint guideStart(uint cube) { return imageLoad(guideNumbers, int(cube)).x; }
+GuideBin guideBin(uint histogram, uint bin) {
+  uint own = imageLoad(guideNumbers, int(histogram + 2u * bin)).x;
+  uint aliasUnits = imageLoad(guideNumbers, int(histogram + 2u * bin + 1u)).x;
+  return GuideBin(own & 65535u, (own >> 16u) & 255u, own >> 24u, aliasUnits);
+}
 
 uint lightCount() { return frame.lightCount; }
 uint maxBounces() { return frame.maxBounces; }

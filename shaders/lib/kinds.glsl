@@ -10,6 +10,7 @@ uint afterSpecular(uint history, bool transmitted) {
   uint table = transmitted ? 0x77677511u : 0x77777411u;
   return (MUTATE(TransmissionIsReflection, table, 0x77777411u) >> (4u * history)) & 15u;
 }
+bool behindDiffuse(uint history) { return history >= 2u; }
 uint kindOf(uint history) { return (0x42423150u >> (4u * history)) & 15u; }
 
 bool kindWanted(uint history) { return ((pathKinds() >> kindOf(history)) & 1u) != 0u; }

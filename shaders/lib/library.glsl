@@ -31,6 +31,7 @@
 #include "path_state.glsl"
 #include "reuse.glsl"
 #include "light_path.glsl"
+#include "guide.glsl"
 #include "path.glsl"
 #include "filter.glsl"
 #include "camera.glsl"

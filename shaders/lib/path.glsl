@@ -183,6 +183,8 @@ bool extendPath(INOUT(Path) path, Hit hit, OUT(DirectLight) direct) {
     // INDIRECT: one direction from the BSDF; the emission it finds counts as far as no light sample found it.
     UVec4 random = pathRandom(path, blockBsdf(path.bounce));
     BsdfSample b = sampleBsdf(s, wo, random);
+    bool guided = isGuided(path) && s.m.bsdf == kBsdfDiffuse;
+    if (guided) b = guidedSample(s, wo, random, b);
     bool specular = b.specular;
     Float total = b.weight.x + b.weight.y + b.weight.z;
     if (!isFinite(total) || (!specular && total > 0.0 && !(b.pdf_w > 0.0 && isFinite(b.pdf_w)))) {
@@ -202,7 +204,7 @@ bool extendPath(INOUT(Path) path, Hit hit, OUT(DirectLight) direct) {
       history = specular ? lightAfterSpecular(path.history, dot(b.wi, s.ng) < 0.0) : kLightScattered;
     }
     bool shares = reusesPaths() && leavesVertices() && goesOn && path.bounce == 0u && reusable(s);
-    bool spared = false; // from roulette
+    bool spared = isGuided(path) && specular && behindDiffuse(path.history); // from roulette
     path.bounce += 1u;
 
     // SPLITTING: at glass the other branch waits, both weighted by their share of the light.
@@ -230,7 +232,10 @@ bool extendPath(INOUT(Path) path, Hit hit, OUT(DirectLight) direct) {
     // closed bright scenes an infinite variance.
     Float survivalProbability = 1.0;
     if (kEffectRoulette && path.bounce >= rouletteAfter() && !spared) {
-      survivalProbability = min(1.0, kRouletteMode == kRouletteAlbedo ? meanComponent(b.weight) : maxComponent(beta));
+      // As if the BSDF had chosen the direction: where the guide has, more paths bring less each, which is what it is for.
+      Vec3 weight = guided ? s.m.reflectance : b.weight;
+      Vec3 throughput = guided ? path.beta * s.m.reflectance : beta;
+      survivalProbability = min(1.0, kRouletteMode == kRouletteAlbedo ? meanComponent(weight) : maxComponent(throughput));
       if (kRouletteMode == kRouletteConstant) survivalProbability = survival();
       if (kFromLight) survivalProbability = min(1.0, maxComponent(b.weight));
     }

@@ -45,6 +45,14 @@ struct EnvironmentRecord {
   uint alias;
 };
 
+// A bin of a histogram of directions, and the row of its alias table with the same index.
+struct GuideBin {
+  uint units;     // the bin's share, of kGuideUnits
+  uint threshold; // the row keeps itself when a number, of 256, is below
+  uint alias;
+  uint aliasUnits; // that bin's share
+};
+
 struct Material {
   uint bsdf;
   uint flags;       // kMaterialOneSided, ...

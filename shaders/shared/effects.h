@@ -37,7 +37,8 @@
     "area lights, specular and other surfaces, and --light-tracing auto or on")                              \
   X(29, SpecularSamples, specularSamples, "a specular surface, and --specular-samples above 1")              \
   X(30, LightTree, lightTree, "several lights, spread out, or --light-selection tree: chosen by place")      \
-  X(31, PathReuse, pathReuse, "a diffuse surface, --path-reuse above 1, and paths that go on beyond it")
+  X(31, PathReuse, pathReuse, "a diffuse surface, --path-reuse above 1, and paths that go on beyond it")     \
+  X(32, Guiding, guiding, "light tracing, a diffuse surface, and --guiding auto")
 
 // How surfaces scatter: X(Name of the effect, Type). A type's number is its effect's id; sampleTYPE() and,
 // unless it is specular, evaluateTYPE() are chosen by it (shaders/lib/scatter.glsl). What is not diffuse:

@@ -80,7 +80,10 @@
   X(106, ReuseBlockedCounts,                                                                                 \
     "pixels that don't see a shared vertex count among those that could have found it")                      \
   X(107, ReuseWeighsByEye, "caustics on shared paths are weighed by each pixel's own density")               \
-  X(108, CarriedReuseLost, "a path that goes on in the next dispatch has forgotten that it is shared")
+  X(108, CarriedReuseLost, "a path that goes on in the next dispatch has forgotten that it is shared")       \
+  X(109, GuideDensityDropped, "guided directions are weighted as if the BSDF had drawn them")                \
+  X(110, GuideAliasIgnored, "a row of a histogram of directions never takes its alias")                      \
+  X(111, GuideWeighedByBoth, "light sampling and guided directions are weighted by different densities")
 
 // Those that tests/bsdf notices: by samples counted against their density, and by closed forms.
 #define VKPT_SAMPLING_MUTATIONS_LIST(X)                                                                      \

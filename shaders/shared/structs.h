@@ -37,7 +37,8 @@ VKPT_CONSTANT uint kBindingSplats = 15u; // texel buffer of single numbers: what
 VKPT_CONSTANT uint kBindingLightNodes = 16u;  // texel buffer: 3 texels a node of the light tree
 VKPT_CONSTANT uint kBindingReuse = 17u;       // texel buffer: kTexelsPerSharedPath a sample and slot
 VKPT_CONSTANT uint kBindingConnections = 18u; // texel buffer of single numbers: densities of connections
-VKPT_CONSTANT uint kBindingCount = 19u;
+VKPT_CONSTANT uint kBindingGuide = 19u;       // texel buffer of single numbers: src/device/guide.h
+VKPT_CONSTANT uint kBindingCount = 20u;
 
 // --- texels a record takes ---
 VKPT_CONSTANT uint kTexelsPerNode = 8u;
@@ -50,6 +51,14 @@ VKPT_CONSTANT uint kTexelsPerEnvironmentTexel = 2u;
 VKPT_CONSTANT uint kTexelsPerSharedPath = 7u; // what a sample's path leaves for others, and behind it
 VKPT_CONSTANT uint kTexelsPerBegunPath = 5u;  // what it goes on with; and kVertexPlanes with a light tree
 VKPT_CONSTANT uint kPixelsPerTexel = 2u;      // of a texture: RGB in half floats
+
+// --- guided directions: lib/guide.glsl ---
+VKPT_CONSTANT uint kGuideEdge = 16u; // bins of directions on a side of a square
+VKPT_CONSTANT uint kGuideBins = 256u;
+VKPT_CONSTANT uint kGuideUnits = 65536u;           // of the bins of a histogram together
+VKPT_CONSTANT uint kGuideShareInverse = 4u;        // one of so many directions is the guide's
+VKPT_CONSTANT uint kGuideShareBelow = 0x40000000u; // 2^32 over it
+VKPT_CONSTANT uint kNoGuide = 0xFFFFFFFFu;
 
 // --- specialisation constants beside the effects (ids 0..63) ---
 VKPT_CONSTANT uint kConstantStackDepth = 64u;
@@ -231,7 +240,9 @@ struct FrameConstants {
   float lightPower;       // of all lights that light sampling knows, over pi, summed over the channels
   uint specularSamples;   // paths of a sample whose first surface is specular
   uint environmentLeaf;   // of the light tree
+  uint guideGridEdge;     // cubes along it; 0: nothing was learned
   float sharedEyePdf_A;   // in place of the eye's density at the first vertex, where paths are shared
+  vec4 guideLower;        // corner of the grid of guided directions; w: cubes per metre
   vec4 specularLower[kSpecularBoxes]; // a box more than there are lies far away
   vec4 specularUpper[kSpecularBoxes];
   vec4 filterShape;                        // radius, and what the shape needs: lib/filter.glsl

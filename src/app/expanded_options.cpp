@@ -111,8 +111,9 @@ std::vector<std::string> describeOptions(const RenderOptions& o, const RenderJob
   say("--effects {}", effectsText(o.effects));
   say("--filter {}", nameOf(kFilterNames, scene.filter.shape));
   say("--light-selection {}", nameOf(kLightSelectionNames, e.lightSelection));
-  say("--light-tracing {} --specular-samples {} --path-reuse {}", nameOf(kLightTracingNames, e.lightTracing),
-      e.specularSamples, e.pathReuse);
+  say("--light-tracing {} --guiding {} --specular-samples {} --path-reuse {}",
+      nameOf(kLightTracingNames, e.lightTracing), nameOf(kGuidingNames, e.guiding), e.specularSamples,
+      e.pathReuse);
   say("--sampler {} --seed {} --background {}", nameOf(kSamplerNames, e.sampler), o.seed,
       vector(scene.background));
   if (!scene.environment.file.empty())

@@ -19,6 +19,7 @@ inline constexpr std::array<std::string_view, 3> kTonemapNames{"none", "srgb", "
 inline constexpr std::array<std::string_view, 2> kSamplerNames{"independent", "sobol"};
 inline constexpr std::array<std::string_view, 3> kLightSelectionNames{"auto", "power", "tree"};
 inline constexpr std::array<std::string_view, 3> kLightTracingNames{"auto", "on", "off"};
+inline constexpr std::array<std::string_view, 2> kGuidingNames{"auto", "off"};
 
 template<std::size_t N, class Enum>
 std::string_view nameOf(const std::array<std::string_view, N>& names, Enum value) {

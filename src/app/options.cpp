@@ -183,6 +183,14 @@ void addEstimatorOptions(CLI::App& app, RenderOptions& o) {
       },
       "paths from the lights as well, for caustics: where the scene has them, or not (default auto)");
   addValue(
+      app, "--guiding", "auto|off",
+      [&e](const auto& text) {
+        e.guiding = static_cast<Guiding>(parseName("--guiding", text, kGuidingNames));
+      },
+      "behind specular surfaces, directions from where light was seen to come from: with paths from the "
+      "lights, or "
+      "not (default auto)");
+  addValue(
       app, "--specular-samples", "N",
       [&e](const auto& text) {
         e.specularSamples = static_cast<std::uint32_t>(

@@ -23,6 +23,7 @@ struct RenderOptions {
   EstimatorSettings estimator{.sampler = Sampler::Sobol,
                               .lightSelection = LightSelection::Auto,
                               .lightTracing = LightTracing::Auto,
+                              .guiding = Guiding::Auto,
                               .specularSamples = kSpecularSamples};
   std::optional<LightStrategy> light;
   std::optional<std::uint32_t> maxBounces;

@@ -4,6 +4,7 @@
 #include "app/load_scene.h"
 #include "app/option_names.h"
 #include "core/clock.h"
+#include "host/learn_guide.h"
 
 #include <spdlog/spdlog.h>
 
@@ -72,7 +73,7 @@ FinishedRun renderRun(const RenderOptions& o, const PreparedRun& p, const gpu::C
   RunReport& report = run.report;
   report.device = context.info().name;
   Stopwatch watch;
-  const PackedScene packed = packScene(p.scene, p.estimator, p.effects);
+  const PackedScene packed = packGuided(p.scene, p.estimator, p.effects);
   noteLeftOut(packed.leftOut, report.sceneReport);
   const DeviceScene deviceScene = uploadScene(context, packed);
   report.seconds.build = watch.restart();

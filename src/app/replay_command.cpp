@@ -4,6 +4,7 @@
 #include "app/effects_option.h"
 #include "app/expanded_options.h"
 #include "app/load_scene.h"
+#include "host/learn_guide.h"
 #include "host/replay.h"
 
 #include <fmt/format.h>
@@ -49,7 +50,7 @@ ExitCode runReplay(const RenderOptions& o) {
         fmt::format("--pixel {},{}: the image has {}x{} pixels", x, y, scene.width, scene.height));
   const EstimatorSettings estimator = estimatorFor(o, scene);
   const EffectSet effects = compiledEffects(o.effects, detectEffects(scene, estimator));
-  const PackedScene packed = packScene(scene, estimator, effects);
+  const PackedScene packed = packGuided(scene, estimator, effects);
   const HostSettings settings{estimator, scene.width, scene.height, o.seed};
   const Replay single = replay32(packed, scene, effects, settings, x, y, o.sample);
   const Replay twice = replay64(packed, scene, effects, settings, x, y, o.sample);

@@ -20,10 +20,10 @@ constexpr std::uint32_t kMostSeeds = 1000;
 constexpr std::size_t kMostVariants = 64;
 
 /// Options of render that change how the image is estimated, or how fast.
-constexpr std::array<std::string_view, 17> kCanVary{
-    "sampler",    "light",         "light-samples",    "max-bounces",     "roulette",  "roulette-after",
-    "split",      "paths",         "filter",           "batch",           "effects",   "tile-blocks",
-    "background", "light-tracing", "specular-samples", "light-selection", "path-reuse"};
+constexpr std::array<std::string_view, 18> kCanVary{
+    "sampler",    "light",         "light-samples",    "max-bounces",     "roulette",   "roulette-after",
+    "split",      "paths",         "filter",           "batch",           "effects",    "tile-blocks",
+    "background", "light-tracing", "specular-samples", "light-selection", "path-reuse", "guiding"};
 
 struct Vary {
   std::string option;

@@ -85,17 +85,18 @@ std::vector<StudySetting> ablations(const StudySetting& whole, const Scene& scen
 
 /// By the estimator that every setting is to agree with: both strategies for lights, weighted, which no scene
 /// is hopeless for; independent samples, one light sample, paths from
-/// the lights where there are caustics, several paths behind specular surfaces, no splitting, roulette by
-/// throughput; a seed of its own. What the settings have in common (bounces, kinds of path, filter) it has
-/// too, since it decides what the image is. Multiple importance sampling is a trick that settings may share
-/// with it: the price of a reference without it would be noise that decides for all of them, where a lamp is
-/// small. Unbiased it is all the same, and its samples are its own.
+/// the lights and guided directions where there are caustics, several paths behind specular surfaces, no
+/// splitting, roulette by throughput; a seed of its own. What the settings have in common (bounces, kinds of
+/// path, filter) it has too, since it decides what the image is. Multiple importance sampling is a trick that
+/// settings may share with it: the price of a reference without it would be noise that decides for all of
+/// them, where a lamp is small. Unbiased it is all the same, and its samples are its own.
 StudySetting referenceSetting(const StudyOptions& o, const Scene& scene) {
   RenderOptions options = o.common;
   options.light = LightStrategy::Mis;
   options.estimator.sampler = Sampler::Independent;
   options.estimator.lightSelection = LightSelection::Auto;
   options.estimator.lightTracing = LightTracing::Auto;
+  options.estimator.guiding = Guiding::Auto;
   options.estimator.specularSamples = kSpecularSamples;
   options.estimator.lightSamples = 1;
   options.estimator.splitDepth = 0;

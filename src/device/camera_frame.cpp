@@ -139,6 +139,9 @@ shared::FrameConstants frameConstants(const Scene& scene, const LightChoice& lig
   c.seed = seed;
   c.lightCount = lights.count;
   c.environmentProbability = lights.environmentProbability;
+  c.guideLower = toVec4(Vec3d(lights.guide.lower));
+  c.guideLower.w = lights.guide.cubesPerMetre;
+  c.guideGridEdge = lights.guide.edge;
   c.environmentLeaf = lights.environmentLeaf;
   c.environmentWidth = static_cast<std::uint32_t>(scene.environment.width);
   c.environmentHeight = static_cast<std::uint32_t>(scene.environment.height);

@@ -15,6 +15,8 @@ DeviceScene uploadScene(const gpu::Context& context, const PackedScene& packed) 
   scene.uvs = gpu::TexelBuffer(context, "texture coordinates", std::as_bytes(std::span{packed.uvs}));
   scene.textures = gpu::TexelBuffer(context, "textures", std::as_bytes(std::span{packed.textures}));
   scene.environment = gpu::TexelBuffer(context, "environment", std::as_bytes(std::span{packed.environment}));
+  scene.guide = gpu::TexelBuffer(context, "guide", packed.guide.size(), vk::Format::eR32Uint);
+  scene.guide.buffer().write(context, std::as_bytes(std::span{packed.guide}));
   scene.lightChoice = packed.lightChoice;
   scene.stackDepth = packed.bvh.depth + 1U;
   return scene;
@@ -30,6 +32,7 @@ void bindScene(const gpu::Context& context, const gpu::BindingSet& bindings, con
   bindings.bind(context, shared::kBindingUvs, scene.uvs);
   bindings.bind(context, shared::kBindingTextures, scene.textures);
   bindings.bind(context, shared::kBindingEnvironment, scene.environment);
+  bindings.bind(context, shared::kBindingGuide, scene.guide);
 }
 
 gpu::SpecialisationMap kernelConstants(const DeviceScene& scene, const Scene& source,
@@ -48,7 +51,7 @@ gpu::SpecialisationMap kernelConstants(const DeviceScene& scene, const Scene& so
 
 std::uint64_t DeviceScene::bytes() const {
   return nodes.bytes() + triangles.bytes() + normals.bytes() + materials.bytes() + lights.bytes() +
-         lightNodes.bytes() + uvs.bytes() + textures.bytes() + environment.bytes();
+         lightNodes.bytes() + uvs.bytes() + textures.bytes() + environment.bytes() + guide.bytes();
 }
 
 } // namespace vkpt

@@ -17,6 +17,7 @@ struct DeviceScene {
   gpu::TexelBuffer uvs;
   gpu::TexelBuffer textures;
   gpu::TexelBuffer environment;
+  gpu::TexelBuffer guide;
   LightChoice lightChoice;
   std::uint32_t stackDepth = 0; ///< entries a traversal needs: shaders/lib/stack.glsl
   [[nodiscard]] std::uint64_t bytes() const;

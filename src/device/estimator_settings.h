@@ -29,6 +29,13 @@ enum class LightTracing : std::uint32_t {
   Off,
 };
 
+/// Whether directions behind specular surfaces are drawn from where light was seen to come from before the
+/// render: shaders/lib/guide.glsl.
+enum class Guiding : std::uint32_t {
+  Auto, ///< where paths from the lights are traced
+  Off,
+};
+
 inline constexpr std::uint32_t kUnlimitedBounces = std::numeric_limits<std::uint32_t>::max();
 inline constexpr std::uint32_t kAllPathKinds = (1U << kPathKindCount) - 1U;
 
@@ -44,6 +51,7 @@ struct EstimatorSettings {
   LightStrategy light = LightStrategy::Mis;
   LightSelection lightSelection = LightSelection::Power;
   LightTracing lightTracing = LightTracing::Off;
+  Guiding guiding = Guiding::Off;
   std::uint32_t lightSamples = 1;               ///< shadow rays at a surface point, 1 to kMaxLightSamples
   std::uint32_t maxBounces = kUnlimitedBounces; ///< 0: emitted light only, 1: + direct light, ...
   RouletteMode roulette = RouletteMode::Throughput;

@@ -292,6 +292,17 @@ private:
       if (has(e))
         on(Effect::LightTracing, reason(e).because, reason(e).where);
     }
+    guiding();
+  }
+
+  void guiding() {
+    if (m_settings.guiding == Guiding::Off)
+      miss(Effect::Guiding, "--guiding off");
+    else if (m_settings.maxBounces < 3)
+      miss(Effect::Guiding,
+           fmt::format("--max-bounces {}: no caustics behind specular surfaces", m_settings.maxBounces));
+    else if (has(Effect::Diffuse))
+      on(Effect::Guiding, reason(Effect::LightTracing).because, reason(Effect::LightTracing).where);
   }
 
   void image() {

@@ -257,7 +257,11 @@ PackedScene packScene(const Scene& scene, const EstimatorSettings& estimator, co
   const std::vector<Material> materials = effectiveMaterials(scene);
   packMaterials(scene, materials, lights, packed);
   packed.lightChoice = {static_cast<std::uint32_t>(lights.lights.size()),
-                        static_cast<float>(lights.environmentProbability()), false, 0, lights.totalPower};
+                        static_cast<float>(lights.environmentProbability()),
+                        false,
+                        0,
+                        lights.totalPower,
+                        {}};
   if (effects.has(Effect::LightSampling))
     packLights(scene, lights, packed);
   packed.lightChoice.byTree = effects.has(Effect::LightSampling) && effects.has(Effect::LightTree) &&

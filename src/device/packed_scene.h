@@ -4,6 +4,7 @@
 #include "accel/bvh.h"
 #include "device/effects.h"
 #include "scene/scene.h"
+#include "shared/structs.h"
 
 #include <array>
 #include <vector>
@@ -12,6 +13,13 @@ namespace vkpt {
 
 using Texel = std::array<std::uint32_t, 4>;
 
+/// Cubes of space, by which directions are guided: device/guide.h.
+struct GuideGrid {
+  Vec3f lower{0.0F}; ///< corner, in local coordinates
+  float cubesPerMetre = 0.0F;
+  std::uint32_t edge = 0; ///< cubes along it; 0: nothing was learned
+};
+
 /// What light sampling chooses from.
 struct LightChoice {
   std::uint32_t count = 0;
@@ -19,6 +27,7 @@ struct LightChoice {
   bool byTree = false;               ///< else by power
   std::uint32_t environmentLeaf = 0; ///< of the light tree
   double totalPower = 0.0;           ///< as LightTable's
+  GuideGrid guide;
 };
 
 /// The scene in the device's layout (shaders/lib/records.glsl), in host memory: what is uploaded, and what
@@ -33,6 +42,7 @@ struct PackedScene {
   std::vector<Texel> uvs;         ///< kTexelsPerUv a triangle, in BVH order
   std::vector<Texel> textures;    ///< one for each texture, then their pixels in half floats
   std::vector<Texel> environment; ///< kTexelsPerEnvironmentTexel for each of the map's
+  std::vector<std::uint32_t> guide{shared::kNoGuide}; ///< device/guide.h
   LightChoice lightChoice;
   std::size_t leftOut = 0; ///< triangles whose material is nothing
 };

@@ -132,6 +132,15 @@ public:
     return n;
   }
   uint lightNodeParent(uint i) const { return m_scene->lightNodes[std::size_t{i} * kTexelsPerLightNode + 2][0]; }
+  Vec3 guideLower() const { return vector(m_frame.guideLower); }
+  Float guideCubesPerMetre() const { return m_frame.guideLower.w; }
+  uint guideGridEdge() const { return m_frame.guideGridEdge; }
+  uint guideStart(uint cube) const { return m_scene->guide[cube]; }
+  GuideBin guideBin(uint histogram, uint bin) const {
+    const std::size_t at = std::size_t{histogram} + std::size_t{2} * bin;
+    const uint own = m_scene->guide[at];
+    return {own & 65535U, (own >> 16U) & 255U, own >> 24U, m_scene->guide[at + 1]};
+  }
   uint lightCount() const { return m_frame.lightCount; }
   uint maxBounces() const { return m_frame.maxBounces; }
   uint rouletteAfter() const { return m_frame.rouletteAfter; }
@@ -233,6 +242,27 @@ public:
       }
     }
     kFromLight = false;
+  }
+
+  /// Where path number i from the lights, sent on by specular surfaces alone, meets a diffuse one.
+  std::optional<Photon> tracePhoton(uint i) {
+    kFromLight = true;
+    Path path = lightPath(i, 0, keyOf(0));
+    bool goesOn = mayBecomeCaustic(path.ray);
+    std::optional<Photon> photon;
+    while (goesOn) {
+      const Hit hit = traceClosest(path.ray);
+      if (hit.triangle == kNoTriangle)
+        break;
+      const Vec3 wo = -path.ray.d;
+      const uint bsdf = surfaceAt(hit, wo).m.bsdf;
+      if (bsdf == kBsdfDiffuse && path.bounce > 0)
+        photon = Photon{Vec3f(surfaceAt(hit, wo).p), guideBinOf(wo), static_cast<float>(path.beta.x + path.beta.y + path.beta.z)};
+      DirectLight direct;
+      goesOn = isSpecular(bsdf) && extendPath(path, hit, direct);
+    }
+    kFromLight = false;
+    return photon;
   }
 
   /// A sample's path, as far as one pixel alone can tell; where paths are shared it is left in the pixel's slot.

@@ -2,6 +2,7 @@
 // What program.inl needs, to be included outside of the program's namespace.
 
 #include "device/camera_frame.h"
+#include "device/guide.h"
 #include "device/packed_scene.h"
 #include "film/film.h"
 #include "film/splats.h"
@@ -17,6 +18,7 @@
 #include <cstdint>
 #include <limits>
 #include <mutex>
+#include <optional>
 #include <stdexcept>
 #include <thread>
 #include <type_traits>

@@ -30,6 +30,7 @@ constexpr auto kLayout = std::to_array<gpu::BindingLayout>({
     {kBindingUvs, DescriptorType::eStorageTexelBuffer},
     {kBindingTextures, DescriptorType::eStorageTexelBuffer},
     {kBindingEnvironment, DescriptorType::eStorageTexelBuffer},
+    {kBindingGuide, DescriptorType::eStorageTexelBuffer},
     {kBindingKinds, DescriptorType::eStorageBuffer, kKindCount},
     {kBindingReplicates, DescriptorType::eStorageTexelBuffer, 3},
     {kBindingSplats, DescriptorType::eStorageTexelBuffer},

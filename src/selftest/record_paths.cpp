@@ -1,6 +1,7 @@
 #include "selftest/record_paths.h"
 
 #include "device/camera_frame.h"
+#include "host/learn_guide.h"
 #include "selftest/shaders.h"
 
 #include <algorithm>
@@ -27,6 +28,7 @@ constexpr auto kLayout = std::to_array<gpu::BindingLayout>({
     {kBindingUvs, DescriptorType::eStorageTexelBuffer},
     {kBindingTextures, DescriptorType::eStorageTexelBuffer},
     {kBindingEnvironment, DescriptorType::eStorageTexelBuffer},
+    {kBindingGuide, DescriptorType::eStorageTexelBuffer},
     {kBindingKinds, DescriptorType::eStorageBuffer, kKindCount},
     {kBindingSplats, DescriptorType::eStorageTexelBuffer},
     {kBindingRecords, DescriptorType::eStorageBuffer},
@@ -43,7 +45,7 @@ gpu::SpecialisationMap constantsOf(const Kernel& kernel, const OracleScene& s, c
 OracleScene oracleScene(const Scene& scene, const EstimatorSettings& estimator, int width, int height,
                         std::uint32_t seed) {
   const EffectSet effects = detectEffects(scene, estimator);
-  return {scene, {estimator, width, height, seed}, effects, packScene(scene, estimator, effects, 1)};
+  return {scene, {estimator, width, height, seed}, effects, packGuided(scene, estimator, effects, 1)};
 }
 
 std::vector<PathRecord> recordPaths(const Trial& t, const OracleScene& s, std::uint32_t sample) {

@@ -1,6 +1,7 @@
 #include "selftest/render_scene.h"
 
 #include "core/hash.h"
+#include "host/learn_guide.h"
 #include "spirv.h"
 
 namespace vkpt::selftest {
@@ -29,7 +30,7 @@ gpu::SpecialisationMap Kernel::constants() const {
 
 Studio::Studio(const gpu::Context& context, const Scene& scene, const RenderSetup& setup) : m_setup(setup) {
   const EffectSet effects = setup.effects.value_or(detectEffects(scene, setup.estimator));
-  m_scene = uploadScene(context, packScene(scene, setup.estimator, effects, 1));
+  m_scene = uploadScene(context, packGuided(scene, setup.estimator, effects, 1));
   m_integrator = std::make_unique<Integrator>(context, m_scene, scene, effects, integratorSettings(setup));
 }
 

@@ -1,6 +1,7 @@
 #include "study/setting_run.h"
 
 #include "core/clock.h"
+#include "host/learn_guide.h"
 #include "render/render_job.h"
 
 #include <algorithm>
@@ -11,7 +12,7 @@ SettingRun::SettingRun(const gpu::Context& context, const Scene& scene, const St
     : m_scene(scene), m_batch(setting.batch) {
   const Stopwatch watch;
   m_scene.filter = setting.filter;
-  m_deviceScene = uploadScene(context, packScene(m_scene, setting.estimator, setting.effects));
+  m_deviceScene = uploadScene(context, packGuided(m_scene, setting.estimator, setting.effects));
   m_integrator = std::make_unique<Integrator>(
       context, m_deviceScene, m_scene, setting.effects,
       IntegratorSettings{setting.estimator, m_scene.width, m_scene.height, 0, {}, {}});

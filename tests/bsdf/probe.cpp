@@ -22,6 +22,7 @@ constexpr auto kLayout = std::to_array<gpu::BindingLayout>({
     {kBindingLights, DescriptorType::eStorageTexelBuffer},
     {kBindingLightNodes, DescriptorType::eStorageTexelBuffer},
     {kBindingEnvironment, DescriptorType::eStorageTexelBuffer},
+    {kBindingGuide, DescriptorType::eStorageTexelBuffer},
     {kBindingQuery, DescriptorType::eStorageBuffer},
     {kBindingAnswers, DescriptorType::eStorageBuffer},
 });
@@ -48,6 +49,7 @@ Probe::Probe(const Scene& scene, const EffectSet& effects, std::uint32_t mutatio
   m_bindings.bind(context, kBindingLights, m_scene.lights);
   m_bindings.bind(context, kBindingLightNodes, m_scene.lightNodes);
   m_bindings.bind(context, kBindingEnvironment, m_scene.environment);
+  m_bindings.bind(context, kBindingGuide, m_scene.guide);
   for (const EffectInfo& e : allEffects())
     m_specialisation[static_cast<std::uint32_t>(e.effect)] = effects.has(e.effect) ? 1U : 0U;
   m_specialisation[kConstantByLightTree] = m_packed.lightChoice.byTree ? 1U : 0U;

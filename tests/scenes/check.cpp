@@ -7,7 +7,7 @@ std::vector<Check> ownChecks() {
   for (const auto& some :
        {filmChecks(), lightChecks(), deltaChecks(), surfaceChecks(), environmentChecks(), filterChecks(),
         rouletteChecks(), sobolChecks(), kindChecks(), splittingChecks(), strategyChecks(), pathChecks(),
-        lightTracingChecks(), lightTreeChecks(), reuseChecks()})
+        lightTracingChecks(), lightTreeChecks(), reuseChecks(), guidingChecks()})
     checks.insert(checks.end(), some.begin(), some.end());
   return checks;
 }

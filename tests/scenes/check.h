@@ -18,6 +18,7 @@ struct Check {
 std::span<const Check> lightChecks();
 std::span<const Check> lightTracingChecks();
 std::span<const Check> lightTreeChecks();
+std::span<const Check> guidingChecks();
 std::span<const Check> reuseChecks();
 std::span<const Check> pathChecks();
 std::span<const Check> filmChecks();

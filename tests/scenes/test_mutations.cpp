@@ -89,6 +89,9 @@ constexpr Watch kWatches[] = {
     {Mutation::ReuseBlockedCounts, "cellsShared"},
     {Mutation::ReuseWeighsByEye, "causticsShared"},
     {Mutation::CarriedReuseLost, "carriedShared"},
+    {Mutation::GuideDensityDropped, "guidedByTheMirror"},
+    {Mutation::GuideAliasIgnored, "guidedByTheMirror"},
+    {Mutation::GuideWeighedByBoth, "furnaceByGuide"},
 };
 
 const Check& checkFor(Mutation mutation) {

@@ -145,6 +145,9 @@ void drawEstimator(ViewSettings& settings) {
   bool fromLights = e.lightTracing != LightTracing::Off;
   if (ImGui::Checkbox("paths from lights", &fromLights))
     e.lightTracing = fromLights ? LightTracing::Auto : LightTracing::Off;
+  bool guided = e.guiding != Guiding::Off;
+  if (ImGui::Checkbox("guided directions", &guided))
+    e.guiding = guided ? Guiding::Auto : Guiding::Off;
   int paths = static_cast<int>(e.specularSamples);
   if (ImGui::InputInt("specular samples", &paths))
     e.specularSamples =

@@ -2,6 +2,7 @@
 
 #include "app/view/view_shaders.h"
 #include "core/clock.h"
+#include "host/learn_guide.h"
 
 namespace vkpt {
 namespace {
@@ -26,6 +27,7 @@ void Stage::pack(const EstimatorSettings& estimator) {
   Bvh tree = std::move(m_packed.bvh);
   m_packed = tree.nodes.empty() ? packScene(m_scene, estimator, m_effects)
                                 : packScene(m_scene, estimator, m_effects, std::move(tree));
+  learnGuide(m_packed, m_scene, m_effects, estimator);
   m_integrator.reset(); // it is bound to what goes now
   m_device = uploadScene(m_context, m_packed);
   m_buildSeconds = watch.seconds();

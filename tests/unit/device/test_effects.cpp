@@ -258,10 +258,11 @@ TEST(EffectReasons, NameTheObjectAndItsLine) {
 }
 
 TEST(Effects, EachIsCalledForBySomething) {
-  EffectSet allButTwo = EffectSet::all();
-  for (const Effect e : {Effect::LightTracing, Effect::PathReuse}) // some of the others are in their way
-    allButTwo.set(e, false);
-  EXPECT_EQ(detectEffects(everything(), everyOption()), allButTwo);
+  EffectSet allButThree = EffectSet::all();
+  for (const Effect e :
+       {Effect::LightTracing, Effect::PathReuse, Effect::Guiding}) // some of the others are in their way
+    allButThree.set(e, false);
+  EXPECT_EQ(detectEffects(everything(), everyOption()), allButThree);
   EstimatorSettings shared = misSampling();
   shared.pathReuse = 4;
   EXPECT_TRUE(detectEffects(room().build(), shared).has(Effect::PathReuse));
@@ -270,6 +271,10 @@ TEST(Effects, EachIsCalledForBySomething) {
   settings.lightTracing = LightTracing::Auto;
   const Scene scene = roomWith(glass(1.5F));
   EXPECT_TRUE(detectEffects(scene, settings).has(Effect::LightTracing));
+  EXPECT_FALSE(detectEffects(scene, settings).has(Effect::Guiding));
+  settings.guiding = Guiding::Auto;
+  EXPECT_TRUE(detectEffects(scene, settings).has(Effect::Guiding));
+  EXPECT_FALSE(detectEffects(scene, withBounces(settings, 2)).has(Effect::Guiding)) << "nothing to find";
 }
 
 /// `count` lamps in a row, `apart` from each other, over a floor of 2 by 2.

@@ -1,5 +1,6 @@
 // The device against both host programs: the same paths, but for the few that rounding parts.
 
+#include "host/learn_guide.h"
 #include "scenes/made_scenes.h"
 #include "scenes/render_fixture.h"
 #include "scenes/statistics.h"
@@ -44,13 +45,17 @@ TEST_P(DeviceParity, WalksThePathsOfTheHost) {
   expectParity(device, host(renderHost64), GetParam().partedInDouble);
 }
 
-/// Paths from the lights as well, and several behind each specular surface. A path that parts may have
-/// brought splats to a few pixels.
+/// Paths from the lights as well, and several behind each specular surface, guided. A path that parts may
+/// have brought splats to a few pixels.
 TEST_F(SplatParity, BringsTheSplatsOfTheHost) {
   CornellScene box = cornellBox("spheres", kSize, seed());
   box.settings.estimator.lightTracing = LightTracing::On;
   box.settings.estimator.specularSamples = 2;
+  box.settings.estimator.guiding = Guiding::Auto;
   box.effects = detectEffects(box.scene, box.settings.estimator);
+  box.packed = packGuided(box.scene, box.settings.estimator, box.effects, 2);
+  EXPECT_EQ(box.packed.guide, packGuided(box.scene, box.settings.estimator, box.effects, 1).guide);
+  EXPECT_NE(box.packed.lightChoice.guide.edge, 0U);
   const Film device = render(box.scene, setupOf(box.settings)).film;
   EXPECT_TRUE(device.splatVarianceOfMean.has_value());
   const double parted = kBoxParities[1].partedInFloat * 8.0;

@@ -1,0 +1,67 @@
+// Guided directions: a path whose first surface is specular is not joined to paths from the lights, and whether a diffuse
+// surface that it meets behind that sees a lamp by way of a further specular one is left to chance. There a direction comes
+// with probability kGuideShare from where such light has been seen to arrive before the render, else from the BSDF
+// (Jensen 1995, "Importance Driven Path Tracing Using the Photon Map"; both weighted together: Veach 1997, 9.2.4).
+// What was learned (src/device/guide.h) is a histogram by place, a grid of cubes, and direction, kGuideEdge^2 bins of a
+// square. However poor it is, the image's expectation is the same.
+
+// The octahedral map from unit vectors to [0, 1]^2: Cigolle et al. 2014, JCGT 3(2), 3.
+Vec2 toOctahedron(Vec3 d) {
+  Float scale = 1.0 / (abs(d.x) + abs(d.y) + abs(d.z));
+  Vec2 p = Vec2(d.x, d.y) * scale;
+  Vec2 folded = Vec2(d.x < 0.0 ? abs(p.y) - 1.0 : 1.0 - abs(p.y), d.y < 0.0 ? abs(p.x) - 1.0 : 1.0 - abs(p.x));
+  return (d.z < 0.0 ? folded : p) * 0.5 + 0.5;
+}
+Vec3 fromOctahedron(Vec2 square) {
+  Vec2 p = square * 2.0 - 1.0;
+  Vec2 folded = Vec2(p.x < 0.0 ? abs(p.y) - 1.0 : 1.0 - abs(p.y), p.y < 0.0 ? abs(p.x) - 1.0 : 1.0 - abs(p.x));
+  Float z = 1.0 - abs(p.x) - abs(p.y);
+  Vec2 q = z < 0.0 ? folded : p;
+  return normalize(Vec3(q.x, q.y, z));
+}
+
+uint guideBinOf(Vec3 d) {
+  Vec2 p = toOctahedron(d) * Float(kGuideEdge);
+  uint x = min(uint(p.x), kGuideEdge - 1u);
+  uint y = min(uint(p.y), kGuideEdge - 1u);
+  return y * kGuideEdge + x;
+}
+
+// Where the histogram of the cube about p lies; kNoGuide where no light has been seen to arrive.
+uint guideAt(Vec3 p) {
+  Vec3 q = (p - guideLower()) * guideCubesPerMetre();
+  uint edge = guideGridEdge();
+  bool inside = min(q.x, min(q.y, q.z)) >= 0.0 && maxComponent(q) < Float(edge);
+  return inside ? guideStart((uint(q.z) * edge + uint(q.y)) * edge + uint(q.x)) : kNoGuide;
+}
+
+bool isGuided(Path path) { return kEffectGuiding && !kFromLight && path.bounce > 0u && path.otherPdf_A == 0.0; }
+
+// At a diffuse surface: b, drawn by the BSDF with these numbers, or a direction of the guide in its place.
+BsdfSample guidedSample(Surface s, Vec3 wo, UVec4 random, BsdfSample b) {
+  BsdfSample g = b;
+  uint guide = guideAt(s.p);
+  if (guide != kNoGuide) {
+    // The guide's number is in turn a row of the alias table and what chooses between its owner and its alias.
+    bool fromGuide = random.z < kGuideShareBelow;
+    uint bits = random.z * kGuideShareInverse;
+    uint bin = fromGuide ? bits >> 24u : guideBinOf(b.wi);
+    GuideBin row = guideBin(guide, bin);
+    uint units = row.units;
+    if (fromGuide) {
+      if (MUTATE(GuideAliasIgnored, ((bits >> 16u) & 255u) >= row.threshold, false)) {
+        bin = row.alias;
+        units = row.aliasUnits;
+      }
+      Vec2 corner = Vec2(Float(bin % kGuideEdge), Float(bin / kGuideEdge));
+      g.wi = fromOctahedron((corner + Vec2(toUnit(random.x), toUnit(random.y))) * (1.0 / Float(kGuideEdge)));
+    }
+    Float sum = abs(g.wi.x) + abs(g.wi.y) + abs(g.wi.z); // solid angle over the square's area: 4 sum^3
+    Float pdf_w = Float(units) * (Float(kGuideBins) / (4.0 * Float(kGuideUnits))) / (sum * sum * sum);
+    BsdfValue value = evaluateBsdf(s, wo, g.wi);
+    Float both = mix(value.pdf_w, pdf_w, MUTATE(GuideDensityDropped, 1.0 / Float(kGuideShareInverse), 0.0));
+    g.pdf_w = MUTATE(GuideWeighedByBoth, value.pdf_w, both); // by which light sampling, too, weighs the two: the image's expectation stays so
+    g.weight = scattersTo(s, g.wi) ? value.f * (dot(s.n, g.wi) / both) : Vec3(0.0);
+  }
+  return g;
+}

@@ -1,0 +1,141 @@
+#include "device/guide.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <map>
+#include <numeric>
+
+namespace vkpt {
+namespace {
+
+using shared::kGuideBins;
+using shared::kGuideUnits;
+constexpr std::uint32_t kCoarsestEdge = 16; ///< cubes along a grid
+constexpr std::uint32_t kFinestEdge = 64;
+constexpr std::uint32_t kEnoughPhotons = 64;                  ///< that a cube of a finer grid takes
+constexpr std::uint32_t kRowUnits = kGuideUnits / kGuideBins; ///< of a row of an alias table
+
+constexpr std::uint32_t kMostUnits = kGuideUnits - 1; ///< of a bin
+
+using Histogram = std::array<double, kGuideBins>;
+using Units = std::array<std::uint32_t, kGuideBins>;
+
+/// Whole shares in proportion to the weights, kGuideUnits together; 16 bits hold each.
+Units apportion(const Histogram& weights) {
+  const double sum = std::accumulate(weights.begin(), weights.end(), 0.0);
+  Units units{};
+  std::array<std::pair<double, std::uint32_t>, kGuideBins> rest;
+  std::uint32_t given = 0;
+  for (std::uint32_t i = 0; i < kGuideBins; ++i) {
+    const double exact = weights[i] / sum * kGuideUnits;
+    units[i] = std::min(static_cast<std::uint32_t>(exact), kMostUnits);
+    rest[i] = {units[i] - exact, i};
+    given += units[i];
+  }
+  std::ranges::sort(rest); // those that lack the most first
+  for (std::uint32_t i = 0; given < kGuideUnits; ++i) {
+    std::uint32_t& unit = units[rest[i % kGuideBins].second];
+    if (unit < kMostUnits) {
+      ++unit;
+      ++given;
+    }
+  }
+  return units;
+}
+
+/// With their rows of the table: Vose 1991, in whole numbers.
+void appendBins(const Units& units, std::vector<std::uint32_t>& out) {
+  Units left = units;
+  Units alias{};
+  Units threshold{};
+  std::vector<std::uint32_t> below, above;
+  for (std::uint32_t i = 0; i < kGuideBins; ++i)
+    (units[i] < kRowUnits ? below : above).push_back(i);
+  while (!below.empty()) {
+    const std::uint32_t row = below.back();
+    const std::uint32_t giver = above.back(); // there is one: all rows are filled together
+    below.pop_back();
+    threshold[row] = left[row];
+    alias[row] = giver;
+    left[giver] -= kRowUnits - left[row];
+    if (left[giver] < kRowUnits) {
+      above.pop_back();
+      below.push_back(giver);
+    }
+  }
+  for (const std::uint32_t full : above)
+    alias[full] = full;
+  for (std::uint32_t i = 0; i < kGuideBins; ++i)
+    out.insert(out.end(), {units[i] | (threshold[i] << 16U) | (alias[i] << 24U), units[alias[i]]});
+}
+
+/// About all photons.
+GuideGrid gridAbout(std::span<const Photon> photons, std::uint32_t edge) {
+  Box3d box;
+  for (const Photon& p : photons)
+    box.extend(Vec3d(p.p));
+  const Vec3d extent = box.extent();
+  const double longest =
+      std::max({extent.x, extent.y, extent.z, 1e-6 * glm::length(box.upper), 1e-30}) * 1.001;
+  return {Vec3f(box.centre() - 0.5 * longest), static_cast<float>(edge / longest), edge};
+}
+
+struct Cube {
+  std::uint32_t photons = 0;
+  Histogram histogram{};
+};
+/// By number, x fastest; those that have photons.
+using Cubes = std::map<std::uint32_t, Cube>;
+
+/// A photon counts in the eight cubes nearest to it, those outside left out.
+Cubes cubesOf(const GuideGrid& grid, std::span<const Photon> photons) {
+  Cubes cubes;
+  const auto edge = static_cast<float>(grid.edge);
+  for (const Photon& photon : photons) {
+    const Vec3f q = (photon.p - grid.lower) * grid.cubesPerMetre;
+    for (std::uint32_t corner = 0; corner < 8; ++corner) {
+      const auto side = [&](std::uint32_t axis) { return ((corner >> axis) & 1U) != 0U ? 0.5F : -0.5F; };
+      const Vec3f at = glm::floor(q + Vec3f(side(0), side(1), side(2)));
+      if (!(at.x >= 0 && at.y >= 0 && at.z >= 0 && at.x < edge && at.y < edge && at.z < edge))
+        continue;
+      Cube& cube = cubes[static_cast<std::uint32_t>((at.z * edge + at.y) * edge + at.x)];
+      ++cube.photons;
+      cube.histogram[photon.bin] += static_cast<double>(photon.power);
+    }
+  }
+  return cubes;
+}
+
+/// The cubes of the finest grid that lie in one of a grid with `edge` cubes along it begin at `start`.
+void fill(std::vector<std::uint32_t>& numbers, std::uint32_t edge, std::uint32_t cube, std::uint32_t start) {
+  const std::uint32_t parts = kFinestEdge / edge;
+  const std::uint32_t x = cube % edge * parts;
+  const std::uint32_t y = cube / edge % edge * parts;
+  const std::uint32_t z = cube / edge / edge * parts;
+  for (std::uint32_t k = z; k < z + parts; ++k) {
+    for (std::uint32_t j = y; j < y + parts; ++j)
+      std::fill_n(numbers.begin() + ((std::ptrdiff_t{k} * kFinestEdge + j) * kFinestEdge + x), parts, start);
+  }
+}
+
+} // namespace
+
+Guide makeGuide(std::span<const Photon> photons) {
+  Guide guide;
+  if (photons.empty())
+    return guide;
+  guide.grid = gridAbout(photons, kFinestEdge);
+  guide.numbers.assign(std::size_t{kFinestEdge} * kFinestEdge * kFinestEdge, shared::kNoGuide);
+  for (std::uint32_t edge = kCoarsestEdge; edge <= kFinestEdge; edge *= 2) {
+    for (const auto& [number, cube] : cubesOf(gridAbout(photons, edge), photons)) {
+      if (edge > kCoarsestEdge && cube.photons < kEnoughPhotons)
+        continue;
+      fill(guide.numbers, edge, number, static_cast<std::uint32_t>(guide.numbers.size()));
+      appendBins(apportion(cube.histogram), guide.numbers);
+    }
+  }
+  return guide;
+}
+
+} // namespace vkpt

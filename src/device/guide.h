@@ -1,0 +1,28 @@
+#pragma once
+// What guided directions are drawn from: shaders/lib/guide.glsl.
+
+#include "device/packed_scene.h"
+
+#include <span>
+
+namespace vkpt {
+
+/// Light that has come to a diffuse surface by way of specular ones.
+struct Photon {
+  Vec3f p;           ///< where, in local coordinates
+  std::uint32_t bin; ///< of the direction that it came from: guideBinOf()
+  float power;       ///< summed over the channels, in any unit
+};
+
+struct Guide {
+  GuideGrid grid;
+  /// For every cube, x fastest, where its histogram begins, or kNoGuide; then the histograms, two numbers a
+  /// bin: its share of kGuideUnits (16 bits) with threshold and alias of the alias table's row (8 each), and
+  /// the alias's share. Shares are what the table draws to the last unit.
+  std::vector<std::uint32_t> numbers{shared::kNoGuide};
+};
+/// By the finest of three grids in which a cube has enough photons. One counts in the eight cubes nearest to
+/// it, so that neighbours are alike.
+Guide makeGuide(std::span<const Photon> photons);
+
+} // namespace vkpt
