@@ -35,7 +35,10 @@ uint guideAt(Vec3 p) {
   return inside ? guideStart((uint(q.z) * edge + uint(q.y)) * edge + uint(q.x)) : kNoGuide;
 }
 
-bool isGuided(Path path) { return kEffectGuiding && !kFromLight && path.bounce > 0u && path.otherPdf_A == 0.0; }
+// Of a path that light tracing doesn't join.
+bool isGuided(Path path) {
+  return kEffectGuiding && !kFromLight && guideGridEdge() > 0u && path.bounce > 0u && path.otherPdf_A == 0.0;
+}
 
 // At a diffuse surface: b, drawn by the BSDF with these numbers, or a direction of the guide in its place.
 BsdfSample guidedSample(Surface s, Vec3 wo, UVec4 random, BsdfSample b) {

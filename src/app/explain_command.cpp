@@ -5,6 +5,7 @@
 #include "app/expanded_options.h"
 #include "app/explain_report.h"
 #include "app/load_scene.h"
+#include "host/learn_guide.h"
 
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
@@ -19,7 +20,7 @@ ExitCode runExplain(const RenderOptions& o) {
   report.reasons = explainEffects(scene, estimator);
   report.compiled = effectsFor(o, report.reasons.set, sceneReport);
   const gpu::Context context({o.device, o.validation, pipelineCacheFolder()});
-  const PackedScene packed = packScene(scene, estimator, report.compiled);
+  const PackedScene packed = packGuided(scene, estimator, report.compiled);
   noteLeftOut(packed.leftOut, sceneReport);
 
   report.scene = scene.name;

@@ -51,6 +51,7 @@ public:
     specularSamples();
     sharedPaths();
     caustics();
+    guiding();
     image();
     for (const EffectInfo& e : allEffects()) {
       EffectReason& r = reason(e.effect);
@@ -292,15 +293,11 @@ private:
       if (has(e))
         on(Effect::LightTracing, reason(e).because, reason(e).where);
     }
-    guiding();
   }
 
   void guiding() {
-    if (m_settings.guiding == Guiding::Off)
-      miss(Effect::Guiding, "--guiding off");
-    else if (m_settings.maxBounces < 3)
-      miss(Effect::Guiding,
-           fmt::format("--max-bounces {}: no caustics behind specular surfaces", m_settings.maxBounces));
+    if (const auto obstacle = guidingObstacle(m_scene, m_settings))
+      miss(Effect::Guiding, obstacle->because, obstacle->where);
     else if (has(Effect::Diffuse))
       on(Effect::Guiding, reason(Effect::LightTracing).because, reason(Effect::LightTracing).where);
   }

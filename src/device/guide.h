@@ -19,7 +19,8 @@ struct Guide {
   /// For every cube, x fastest, where its histogram begins, or kNoGuide; then the histograms, two numbers a
   /// bin: its share of kGuideUnits (16 bits) with threshold and alias of the alias table's row (8 each), and
   /// the alias's share. Shares are what the table draws to the last unit.
-  std::vector<std::uint32_t> numbers{shared::kNoGuide};
+  std::vector<std::uint32_t> numbers =
+      std::vector<std::uint32_t>(4, shared::kNoGuide); // no buffer is smaller
 };
 /// By the finest of three grids in which a cube has enough photons. One counts in the eight cubes nearest to
 /// it, so that neighbours are alike.

@@ -125,4 +125,15 @@ std::optional<LightTracingObstacle> lightTracingObstacle(const Scene& scene, con
   return std::nullopt;
 }
 
+std::optional<EffectReason> guidingObstacle(const Scene& scene, const EstimatorSettings& e) {
+  if (e.guiding == Guiding::Off)
+    return EffectReason{"--guiding off", {}};
+  if (e.maxBounces < 3)
+    return EffectReason{fmt::format("--max-bounces {}: no caustics behind specular surfaces", e.maxBounces),
+                        {}};
+  if (const auto obstacle = lightTracingObstacle(scene, e))
+    return obstacle->reason;
+  return std::nullopt;
+}
+
 } // namespace vkpt

@@ -15,6 +15,10 @@ struct LightTracingObstacle {
 std::optional<LightTracingObstacle> lightTracingObstacle(const Scene& scene,
                                                          const EstimatorSettings& settings);
 
+/// Whether directions are guided by what paths from the lights have shown: shaders/lib/guide.glsl. What is
+/// against it, or nothing.
+std::optional<EffectReason> guidingObstacle(const Scene& scene, const EstimatorSettings& settings);
+
 /// At most so many boxes that hold the specular triangles: those of a material in one, unless there are too
 /// many.
 std::vector<Box3d> specularBoxes(const Scene& scene, std::size_t most);

@@ -42,7 +42,7 @@ struct PackedScene {
   std::vector<Texel> uvs;         ///< kTexelsPerUv a triangle, in BVH order
   std::vector<Texel> textures;    ///< one for each texture, then their pixels in half floats
   std::vector<Texel> environment; ///< kTexelsPerEnvironmentTexel for each of the map's
-  std::vector<std::uint32_t> guide{shared::kNoGuide}; ///< device/guide.h
+  std::vector<std::uint32_t> guide = std::vector<std::uint32_t>(4, shared::kNoGuide); ///< device/guide.h
   LightChoice lightChoice;
   std::size_t leftOut = 0; ///< triangles whose material is nothing
 };

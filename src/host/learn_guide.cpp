@@ -2,6 +2,7 @@
 
 #include "accel/workers.h"
 #include "device/guide.h"
+#include "device/light_tracing.h"
 #include "host/program32.h"
 
 namespace vkpt {
@@ -15,7 +16,7 @@ constexpr std::uint32_t kGuideKey = 0x3C6EF372U; // random numbers that no rende
 
 void learnGuide(PackedScene& scene, const Scene& source, const EffectSet& effects,
                 const EstimatorSettings& estimator, unsigned threads) {
-  if (!effects.has(Effect::Guiding))
+  if (!effects.has(Effect::Guiding) || guidingObstacle(source, estimator))
     return;
   std::vector<std::vector<Photon>> found(kChunks);
   accel::Workers(threads).forEach(kChunks, [&](std::size_t chunk) {

@@ -13,7 +13,10 @@ namespace {
 
 using namespace shared;
 
-std::uint64_t sizeOf(const std::vector<Texel>& texels) { return texels.size() * sizeof(Texel); }
+template<class T>
+std::uint64_t sizeOf(const std::vector<T>& values) {
+  return values.size() * sizeof(T);
+}
 
 std::uint64_t pixelsOf(int width, int height) {
   return static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(height);
@@ -73,6 +76,10 @@ MemoryPlan planMemory(const gpu::Context& context, const PackedScene& packed, co
     plan.rows.push_back({what, bytes, bytes, "maxTexelBufferElements",
                          std::uint64_t{context.limits().maxTexelBufferElements} * sizeof(Texel)});
   };
+  const auto numbers = [&](std::string_view what, std::uint64_t bytes) {
+    plan.rows.push_back({what, bytes, bytes, "maxTexelBufferElements",
+                         std::uint64_t{context.limits().maxTexelBufferElements} * sizeof(std::uint32_t)});
+  };
   const auto storage = [&](std::string_view what, std::uint64_t buffers, std::uint64_t bytes) {
     plan.rows.push_back(
         {what, buffers * bytes, bytes, "maxStorageBufferRange", context.limits().maxStorageBufferRange});
@@ -86,6 +93,7 @@ MemoryPlan planMemory(const gpu::Context& context, const PackedScene& packed, co
   texels("texture coordinates", sizeOf(packed.uvs));
   texels("textures", sizeOf(packed.textures));
   texels("environment", sizeOf(packed.environment));
+  numbers("guided directions", sizeOf(packed.guide));
   const std::uint64_t pixels = pixelsOf(width, height);
   const std::uint32_t slots = slotsFor(width, height, tileBlocks);
   constexpr std::uint64_t kSmallestBuffer = 16;
@@ -93,11 +101,8 @@ MemoryPlan planMemory(const gpu::Context& context, const PackedScene& packed, co
   storage("kinds of light path", kKindCount,
           (effects.has(Effect::KindImages) ? pixels : 1) * kKindPlanes * sizeof(float));
   texels("means of replicates", 3 * (estimator.sampler == Sampler::Sobol ? pixels : 1) * sizeof(Texel));
-  if (effects.has(Effect::LightTracing)) {
-    plan.rows.push_back({"splats", splatBytes(width, height), splatBytes(width, height),
-                         "maxTexelBufferElements",
-                         std::uint64_t{context.limits().maxTexelBufferElements} * sizeof(std::uint32_t)});
-  }
+  if (effects.has(Effect::LightTracing))
+    numbers("splats", splatBytes(width, height));
   storage("path states, at most", 1,
           pathStateBytes(slots, estimator.splitDepth, effects.has(Effect::LightTree)));
   if (effects.has(Effect::PathReuse)) {
@@ -135,6 +140,8 @@ std::uint64_t effectBytes(Effect effect, const PackedScene& packed, const Effect
     const SharedBytes shared = sharedBytes(slots, effects, estimator);
     return shared.paths + shared.connections;
   }
+  case Effect::Guiding:
+    return sizeOf(packed.guide);
   case Effect::LightTracing:
     return splatBytes(width, height);
   case Effect::KindImages:

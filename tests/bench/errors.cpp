@@ -36,7 +36,7 @@ struct Named {
   const char* name;
   EstimatorSettings estimator;
 };
-const std::array<Named, 6> kEstimators{{
+const std::array<Named, 7> kEstimators{{
     {"plain", {.light = LightStrategy::Nee}},
     {"sobol, mis", {.sampler = Sampler::Sobol}},
     {"and the tree of lights", {.sampler = Sampler::Sobol, .lightSelection = LightSelection::Auto}},
@@ -47,10 +47,17 @@ const std::array<Named, 6> kEstimators{{
       .lightSelection = LightSelection::Auto,
       .lightTracing = LightTracing::Auto,
       .specularSamples = 4}},
+    {"and guided directions",
+     {.sampler = Sampler::Sobol,
+      .lightSelection = LightSelection::Auto,
+      .lightTracing = LightTracing::Auto,
+      .guiding = Guiding::Auto,
+      .specularSamples = 4}},
     {"and shared paths",
      {.sampler = Sampler::Sobol,
       .lightSelection = LightSelection::Auto,
       .lightTracing = LightTracing::Auto,
+      .guiding = Guiding::Auto,
       .specularSamples = 4,
       .pathReuse = 64}},
 }};

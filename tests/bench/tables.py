@@ -26,7 +26,7 @@ SCENES = {
 }
 ESTIMATORS = {
     "sobol, mis": "Sobol' points, multiple importance sampling",
-    "and specular samples": "and specular samples: the default",
+    "and guided directions": "and guided directions: the default",
     "and shared paths": "and shared paths: `--path-reuse 64`",
 }
 

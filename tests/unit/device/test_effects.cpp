@@ -358,6 +358,9 @@ TEST(Effects, PathsFromTheLightsNeedCausticsAndSpaceForThem) {
     const EffectReasons reasons = explainEffects(scene, settings);
     EXPECT_FALSE(reasons.set.has(Effect::LightTracing));
     EXPECT_EQ(reasons.of(Effect::LightTracing).because, o.because);
+    settings.guiding = Guiding::Auto;
+    EXPECT_EQ(explainEffects(scene, settings).of(Effect::Guiding).text(),
+              settings.maxBounces < 3 ? "--max-bounces 1: no caustics behind specular surfaces" : o.because);
     const auto constants = [&] { return frameConstants(scene, {}, settings, 8, 8, 0); };
     if (o.impossible)
       EXPECT_THROW(constants(), UsageError) << o.because;

@@ -48,7 +48,7 @@ void expectDrawnAsItSays(const Guide& guide, std::uint32_t start) {
 TEST(Guide, KnowsNothingWithoutPhotons) {
   const Guide guide = makeGuide({});
   EXPECT_EQ(guide.grid.edge, 0U);
-  EXPECT_EQ(guide.numbers.size(), 1U) << "a dummy";
+  EXPECT_EQ(guide.numbers.size(), 4U) << "a dummy";
 }
 
 TEST(Guide, DrawsTheSharesThatItTells) {

@@ -64,6 +64,52 @@ TEST(SUITE(Frame), AxesAreExact) {
   }
 }
 
+/// There and back; and by 4 sum^3 of area the square is the sphere: its solid angle and the moments of its
+/// directions.
+TEST(SUITE(Octahedron), IsTheSphere) {
+  Stage stage;
+  constexpr int kSteps = 512;
+  double angle = 0;
+  Vec3d first(0);
+  Vec3d second(0);
+  for (int i = 0; i < kSteps * kSteps; ++i) {
+    const Vec2 square((Float(i % kSteps) + Float(0.5L)) / Float(kSteps),
+                      (Float(i / kSteps) + Float(0.5L)) / Float(kSteps));
+    const Vec3d d = toDouble(stage.lib.fromOctahedron(square));
+    ASSERT_NEAR(glm::length(d), 1, number(1e-6L));
+    const Vec2 back = stage.lib.toOctahedron(stage.lib.fromOctahedron(square));
+    ASSERT_NEAR(static_cast<double>(back.x), static_cast<double>(square.x), number(1e-6L));
+    ASSERT_NEAR(static_cast<double>(back.y), static_cast<double>(square.y), number(1e-6L));
+    const double sum = std::abs(d.x) + std::abs(d.y) + std::abs(d.z);
+    const double part = 4 * sum * sum * sum / (kSteps * kSteps);
+    angle += part;
+    first += part * d;
+    second += part * d * d;
+  }
+  const double sphere = 4 * std::numbers::pi_v<double>;
+  EXPECT_NEAR(angle, sphere, number(1e-3L));
+  for (int axis = 0; axis < 3; ++axis) {
+    EXPECT_NEAR(first[axis], 0, number(1e-3L));
+    EXPECT_NEAR(second[axis], sphere / 3, number(1e-3L));
+  }
+}
+
+/// Every direction of a bin lies in it, up to its edges.
+TEST(SUITE(Octahedron), BinsAreSquares) {
+  Stage stage;
+  test::Random random;
+  for (uint bin = 0; bin < kGuideBins; ++bin) {
+    for (int i = 0; i < 16; ++i) {
+      const auto within = [&](uint cell) {
+        return Float((cell + random.between(number(0.01L), number(0.99L))) / kGuideEdge);
+      };
+      const Float x = within(bin % kGuideEdge);
+      const Float y = within(bin / kGuideEdge);
+      ASSERT_EQ(stage.lib.guideBinOf(stage.lib.fromOctahedron(Vec2(x, y))), bin);
+    }
+  }
+}
+
 TEST(SUITE(Warp), CosineHemisphereIsUnitAboveTheSurface) {
   Stage stage;
   test::Random random;
