@@ -1,6 +1,6 @@
 // Guided directions: a path whose first surface is specular is not joined to paths from the lights, and whether a diffuse
 // surface that it meets behind that sees a lamp by way of a further specular one is left to chance. There a direction comes
-// with probability kGuideShare from where such light has been seen to arrive before the render, else from the BSDF
+// with probability 1 / kGuideShareInverse from where such light has been seen to arrive before the render, else from the BSDF
 // (Jensen 1995, "Importance Driven Path Tracing Using the Photon Map"; both weighted together: Veach 1997, 9.2.4).
 // What was learned (src/device/guide.h) is a histogram by place, a grid of cubes, and direction, kGuideEdge^2 bins of a
 // square. However poor it is, the image's expectation is the same.
@@ -63,7 +63,8 @@ BsdfSample guidedSample(Surface s, Vec3 wo, UVec4 random, BsdfSample b) {
     Float pdf_w = Float(units) * (Float(kGuideBins) / (4.0 * Float(kGuideUnits))) / (sum * sum * sum);
     BsdfValue value = evaluateBsdf(s, wo, g.wi);
     Float both = mix(value.pdf_w, pdf_w, MUTATE(GuideDensityDropped, 1.0 / Float(kGuideShareInverse), 0.0));
-    g.pdf_w = MUTATE(GuideWeighedByBoth, value.pdf_w, both); // by which light sampling, too, weighs the two: the image's expectation stays so
+    // By the BSDF's density light sampling weighs itself against what is met here: so must this, whatever drew it.
+    g.pdf_w = MUTATE(GuideWeighedByBoth, value.pdf_w, both);
     g.weight = scattersTo(s, g.wi) ? value.f * (dot(s.n, g.wi) / both) : Vec3(0.0);
   }
   return g;

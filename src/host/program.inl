@@ -255,11 +255,12 @@ public:
       if (hit.triangle == kNoTriangle)
         break;
       const Vec3 wo = -path.ray.d;
-      const uint bsdf = surfaceAt(hit, wo).m.bsdf;
-      if (bsdf == kBsdfDiffuse && path.bounce > 0)
-        photon = Photon{Vec3f(surfaceAt(hit, wo).p), guideBinOf(wo), static_cast<float>(path.beta.x + path.beta.y + path.beta.z)};
+      const Surface s = surfaceAt(hit, wo);
+      const Float power = path.beta.x + path.beta.y + path.beta.z;
+      if (s.m.bsdf == kBsdfDiffuse && path.bounce > 0 && isFinite(power))
+        photon = Photon{Vec3f(s.p), guideBinOf(wo), static_cast<float>(power)};
       DirectLight direct;
-      goesOn = isSpecular(bsdf) && extendPath(path, hit, direct);
+      goesOn = isSpecular(s.m.bsdf) && extendPath(path, hit, direct);
     }
     kFromLight = false;
     return photon;

@@ -15,7 +15,7 @@ film    core decode
 device  core decode gpu scene accel
 render  core decode gpu scene accel device film
 host    core decode scene accel film device
-study   core decode gpu scene accel device film render
+study   core decode gpu scene accel device film render host
 selftest core decode gpu scene accel film device render host
 app     core decode gpu scene accel device film render host study selftest
 '
