@@ -134,9 +134,8 @@ float guideCubesPerMetre() { return frame.guideLower.w; }
 uint guideGridEdge() { return frame.guideGridEdge; }
 uint guideStart(uint cube) { return imageLoad(guideNumbers, int(cube)).x; }
 GuideBin guideBin(uint histogram, uint bin) {
-  uint own = imageLoad(guideNumbers, int(histogram + 2u * bin)).x;
-  uint aliasUnits = imageLoad(guideNumbers, int(histogram + 2u * bin + 1u)).x;
-  return GuideBin(own & 65535u, (own >> 16u) & 255u, own >> 24u, aliasUnits);
+  uint packed = imageLoad(guideNumbers, int(histogram + bin)).x;
+  return GuideBin(packed & 65535u, (packed >> 16u) & 255u, packed >> 24u);
 }
 
 uint lightCount() { return frame.lightCount; }

@@ -50,7 +50,6 @@ struct GuideBin {
   uint units;     // the bin's share, of kGuideUnits
   uint threshold; // the row keeps itself when a number, of 256, is below
   uint alias;
-  uint aliasUnits; // that bin's share
 };
 
 struct Material {

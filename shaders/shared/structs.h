@@ -59,6 +59,16 @@ VKPT_CONSTANT uint kGuideUnits = 65536u;           // of the bins of a histogram
 VKPT_CONSTANT uint kGuideShareInverse = 4u;        // one of so many directions is the guide's
 VKPT_CONSTANT uint kGuideShareBelow = 0x40000000u; // 2^32 over it
 VKPT_CONSTANT uint kNoGuide = 0xFFFFFFFFu;
+// The number of a cube of a grid with `edge` cubes along it, a multiple of 4: sixteen that lie together share
+// a cache line.
+#ifdef __cplusplus
+constexpr
+#endif
+    uint
+    guideCube(uint x, uint y, uint z, uint edge) {
+  uint block = ((z >> 1u) * (edge >> 1u) + (y >> 1u)) * (edge >> 2u) + (x >> 2u);
+  return (block << 4u) | ((z & 1u) << 3u) | ((y & 1u) << 2u) | (x & 3u);
+}
 
 // --- specialisation constants beside the effects (ids 0..63) ---
 VKPT_CONSTANT uint kConstantStackDepth = 64u;

@@ -67,7 +67,7 @@ void appendBins(const Units& units, std::vector<std::uint32_t>& out) {
   for (const std::uint32_t full : above)
     alias[full] = full;
   for (std::uint32_t i = 0; i < kGuideBins; ++i)
-    out.insert(out.end(), {units[i] | (threshold[i] << 16U) | (alias[i] << 24U), units[alias[i]]});
+    out.push_back(units[i] | (threshold[i] << 16U) | (alias[i] << 24U));
 }
 
 /// About all photons.
@@ -113,9 +113,9 @@ void fill(std::vector<std::uint32_t>& numbers, std::uint32_t edge, std::uint32_t
   const std::uint32_t x = cube % edge * parts;
   const std::uint32_t y = cube / edge % edge * parts;
   const std::uint32_t z = cube / edge / edge * parts;
-  for (std::uint32_t k = z; k < z + parts; ++k) {
-    for (std::uint32_t j = y; j < y + parts; ++j)
-      std::fill_n(numbers.begin() + ((std::ptrdiff_t{k} * kFinestEdge + j) * kFinestEdge + x), parts, start);
+  for (std::uint32_t i = 0; i < parts * parts * parts; ++i) {
+    numbers[shared::guideCube(x + i % parts, y + i / parts % parts, z + i / parts / parts, kFinestEdge)] =
+        start;
   }
 }
 

@@ -137,9 +137,8 @@ public:
   uint guideGridEdge() const { return m_frame.guideGridEdge; }
   uint guideStart(uint cube) const { return m_scene->guide[cube]; }
   GuideBin guideBin(uint histogram, uint bin) const {
-    const std::size_t at = std::size_t{histogram} + std::size_t{2} * bin;
-    const uint own = m_scene->guide[at];
-    return {own & 65535U, (own >> 16U) & 255U, own >> 24U, m_scene->guide[at + 1]};
+    const uint packed = m_scene->guide[std::size_t{histogram} + bin];
+    return {packed & 65535U, (packed >> 16U) & 255U, packed >> 24U};
   }
   uint lightCount() const { return m_frame.lightCount; }
   uint maxBounces() const { return m_frame.maxBounces; }

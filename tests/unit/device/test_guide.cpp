@@ -17,22 +17,20 @@ Photon photonAt(const Vec3f& p, std::uint32_t bin, float power = 1.0F) { return 
 /// Where the histogram of the cube about p begins.
 std::uint32_t startAt(const Guide& guide, const Vec3f& p) {
   const Vec3f q = (p - guide.grid.lower) * guide.grid.cubesPerMetre;
-  const std::uint32_t edge = guide.grid.edge;
   const auto cube = [&](int axis) { return static_cast<std::uint32_t>(q[axis]); };
-  return guide.numbers.at((std::size_t{cube(2)} * edge + cube(1)) * edge + cube(0));
+  return guide.numbers.at(guideCube(cube(0), cube(1), cube(2), guide.grid.edge));
 }
 
 std::uint32_t shareOf(const Guide& guide, std::uint32_t start, std::uint32_t bin) {
-  return guide.numbers.at(start + std::size_t{2} * bin) & 65535U;
+  return guide.numbers.at(start + bin) & 65535U;
 }
 
 /// Every draw that there is, by the bin that it ends with.
 std::vector<std::uint32_t> draws(const Guide& guide, std::uint32_t start) {
   std::vector<std::uint32_t> count(kGuideBins);
   for (std::uint32_t row = 0; row < kGuideBins; ++row) {
-    const std::uint32_t own = guide.numbers.at(start + std::size_t{2} * row);
+    const std::uint32_t own = guide.numbers.at(start + row);
     const std::uint32_t alias = own >> 24U;
-    EXPECT_EQ(guide.numbers.at(start + std::size_t{2} * row + 1), shareOf(guide, start, alias));
     for (std::uint32_t u = 0; u < kGuideUnits / kGuideBins; ++u)
       ++count[u < ((own >> 16U) & 255U) ? row : alias];
   }
