@@ -36,11 +36,12 @@ ExitCode runExplain(const RenderOptions& o) {
   report.memory =
       planMemory(context, packed, report.compiled, estimator, scene.width, scene.height, o.job.tileBlocks);
   if (o.measure) {
-    report.costs = measureEffectCosts(context, scene, estimator, report.compiled, report.costSettings,
-                                      [&o](const EffectCost& cost) {
-                                        if (o.progress)
-                                          spdlog::info("measured {}", effectName(cost.effect));
-                                      });
+    report.costs =
+        measureEffectCosts(context, scene, packGuided(scene, estimator, EffectSet::all()), estimator,
+                           report.compiled, report.costSettings, [&o](const EffectCost& cost) {
+                             if (o.progress)
+                               spdlog::info("measured {}", effectName(cost.effect));
+                           });
   }
   fmt::print("{}", o.json ? explainJson(report) : explainText(report));
   if (context.validationMessages() > 0)

@@ -68,11 +68,10 @@ EffectCost compare(Effect effect, bool isOn, Variant& set, Variant& other, std::
 } // namespace
 
 std::vector<EffectCost> measureEffectCosts(const gpu::Context& context, const Scene& scene,
-                                           const EstimatorSettings& estimator, const EffectSet& effects,
-                                           const CostSettings& settings,
+                                           const PackedScene& packed, const EstimatorSettings& estimator,
+                                           const EffectSet& effects, const CostSettings& settings,
                                            const std::function<void(const EffectCost&)>& onMeasured) {
-  // One scene with all buffers: what a variant does not read costs it nothing.
-  const DeviceScene device = uploadScene(context, packScene(scene, estimator, EffectSet::all()));
+  const DeviceScene device = uploadScene(context, packed);
   IntegratorSettings integrator;
   integrator.estimator = estimator;
   integrator.width = settings.edge;

@@ -3,6 +3,7 @@
 
 #include "device/effects.h"
 #include "device/estimator_settings.h"
+#include "device/packed_scene.h"
 
 #include <functional>
 #include <optional>
@@ -34,10 +35,11 @@ struct CostSettings {
 };
 
 /// Of every effect for which it can be told: without roulette or a limit on bounces paths may not end. Calls
-/// `onMeasured` after each.
+/// `onMeasured` after each. `packed`: the scene with all buffers; what a variant does not read costs it
+/// nothing.
 std::vector<EffectCost> measureEffectCosts(const gpu::Context& context, const Scene& scene,
-                                           const EstimatorSettings& estimator, const EffectSet& effects,
-                                           const CostSettings& settings,
+                                           const PackedScene& packed, const EstimatorSettings& estimator,
+                                           const EffectSet& effects, const CostSettings& settings,
                                            const std::function<void(const EffectCost&)>& onMeasured);
 
 } // namespace vkpt

@@ -171,6 +171,27 @@ TEST(LightTracing, IsThereWhereItCanBe) {
   EXPECT_FALSE(fs::exists(folder / "refused.png"));
 }
 
+/// With paths from the lights, and where an image may have what it is for.
+TEST(Guiding, GoesWithLightTracing) {
+  const WorkFolder folder;
+  const auto guides = [&](std::vector<std::string> arguments) {
+    arguments.insert(arguments.end(), {"--size", "16x16", "--frames", "4"});
+    const auto effects = statsOf(folder, arguments)["effects"];
+    return std::ranges::find(effects, "guiding") != effects.end();
+  };
+  EXPECT_TRUE(guides({"cornell-spheres"}));
+  EXPECT_TRUE(guides({"cornell-spheres", "--max-bounces", "3"}));
+  EXPECT_FALSE(guides({"cornell-spheres", "--max-bounces", "2"}));
+  EXPECT_FALSE(guides({"cornell-spheres", "--guiding", "off"}));
+  EXPECT_FALSE(guides({"cornell-spheres", "--light-tracing", "off"}));
+  EXPECT_FALSE(guides({"cornell"}));
+  const CommandResult r =
+      vkpt({"cornell-spheres", "--guiding", "always", "-o", "refused.png"}, {folder.path(), {}});
+  EXPECT_EQ(r.exitCode, 1);
+  EXPECT_NE(r.err.find("--guiding"), std::string::npos) << r.err;
+  EXPECT_FALSE(fs::exists(folder / "refused.png"));
+}
+
 TEST(PathReuse, IsRefusedWhereItCannotBe) {
   const WorkFolder folder;
   const auto refused = [&](std::vector<std::string> options) {
