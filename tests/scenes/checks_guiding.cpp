@@ -44,12 +44,7 @@ void guidedByTheMirror(Trial& t) {
 void furnaceByGuide(Trial& t) {
   const Vec3f albedo(0.5F, 0.4F, 0.3F);
   const Vec3f emission(3.0F, 2.0F, 1.0F);
-  const Scene scene = SceneBuilder()
-                          .box({-1.0, -1.0, -1.0}, {1.0, 1.0, 1.0}, Facing::Inward, diffuse(albedo, emission))
-                          .box({-0.7, -0.9, -0.5}, {-0.1, -0.2, 0.1}, Facing::Outward, mirror(Vec3f(1.0F)))
-                          .box({0.1, -0.9, -0.3}, {0.7, 0.1, 0.2}, Facing::Outward, glass(1.5F))
-                          .camera(lookAt({0.0, -0.3, 0.9}, {0.0, -0.5, 0.0}, 60.0))
-                          .build();
+  const Scene scene = furnaceWithSolids(albedo, emission, lookAt({0.0, -0.3, 0.9}, {0.0, -0.5, 0.0}, 60.0));
   for (const RouletteMode roulette : {RouletteMode::Throughput, RouletteMode::Albedo}) {
     EstimatorSettings e = guided();
     e.roulette = roulette;

@@ -78,12 +78,7 @@ Scene causticRoom() {
 void furnaceFromLights(Trial& t) {
   const Vec3f albedo(0.5F, 0.4F, 0.3F);
   const Vec3f emission(3.0F, 2.0F, 1.0F);
-  const Scene scene = SceneBuilder()
-                          .box({-1.0, -1.0, -1.0}, {1.0, 1.0, 1.0}, Facing::Inward, diffuse(albedo, emission))
-                          .box({-0.7, -0.9, -0.5}, {-0.1, -0.2, 0.1}, Facing::Outward, mirror(Vec3f(1.0F)))
-                          .box({0.1, -0.9, -0.3}, {0.7, 0.1, 0.2}, Facing::Outward, glass(1.5F))
-                          .camera(lookAt({0.0, 0.3, 0.9}, {0.0, -0.2, 0.0}, 80.0))
-                          .build();
+  const Scene scene = furnaceWithSolids(albedo, emission, lookAt({0.0, 0.3, 0.9}, {0.0, -0.2, 0.0}, 80.0));
   const Film film =
       t.render(scene, {.estimator = fromLights(), .width = 32, .height = 32, .frames = 1024}).film;
   t.expectMean(film, Vec3d(emission) / (Vec3d(1.0) - Vec3d(albedo)), 0.02);

@@ -44,6 +44,15 @@ Scene glowingRoom() {
       .build();
 }
 
+Scene furnaceWithSolids(const Vec3f& albedo, const Vec3f& emission, const Camera& camera) {
+  return SceneBuilder()
+      .box({-1.0, -1.0, -1.0}, {1.0, 1.0, 1.0}, Facing::Inward, diffuse(albedo, emission))
+      .box({-0.7, -0.9, -0.5}, {-0.1, -0.2, 0.1}, Facing::Outward, mirror(Vec3f(1.0F)))
+      .box({0.1, -0.9, -0.3}, {0.7, 0.1, 0.2}, Facing::Outward, glass(1.5F))
+      .camera(camera)
+      .build();
+}
+
 Film columns(const Film& film, int first, int count) {
   Film part;
   part.width = count;

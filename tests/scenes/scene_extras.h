@@ -23,6 +23,10 @@ Film renderAt(Trial& t, const Scene& scene, const EstimatorSettings& estimator, 
 /// A closed room of white walls that all emit: paths are long, and every vertex adds light.
 Scene glowingRoom();
 
+/// A room of that albedo and emission with a mirror and glass in it, which take no light away: radiance
+/// emission / (1 - albedo) wherever the camera looks.
+Scene furnaceWithSolids(const Vec3f& albedo, const Vec3f& emission, const Camera& camera);
+
 /// Columns [first, first + count) of an image.
 Film columns(const Film& film, int first, int count);
 /// Variance of one sample, averaged over the pixels.
