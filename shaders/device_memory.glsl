@@ -25,7 +25,6 @@ layout(set = 0, binding = kBindingLightNodes, rgba32ui) uniform readonly restric
 layout(set = 0, binding = kBindingUvs, rgba32ui) uniform readonly restrict uimageBuffer uvTexels;
 layout(set = 0, binding = kBindingTextures, rgba32ui) uniform readonly restrict uimageBuffer textureTexels;
 layout(set = 0, binding = kBindingEnvironment, rgba32ui) uniform readonly restrict uimageBuffer environmentTexels;
-
 layout(set = 0, binding = kBindingGuide, r32ui) uniform readonly restrict uimageBuffer guideNumbers;
 
 vec4 nodeBounds(uint node, uint row) {

@@ -5,18 +5,19 @@
 // What was learned (src/device/guide.h) is a histogram by place, a grid of cubes, and direction, kGuideEdge^2 bins of a
 // square. However poor it is, the image's expectation is the same.
 
-// The octahedral map from unit vectors to [0, 1]^2: Cigolle et al. 2014, JCGT 3(2), 3.
+// The octahedral map from unit vectors to [0, 1]^2: Cigolle et al. 2014, JCGT 3(2), 3. Its lower half is folded outwards.
+Vec2 foldOctahedron(Vec2 p) {
+  return Vec2(p.x < 0.0 ? abs(p.y) - 1.0 : 1.0 - abs(p.y), p.y < 0.0 ? abs(p.x) - 1.0 : 1.0 - abs(p.x));
+}
 Vec2 toOctahedron(Vec3 d) {
   Float scale = 1.0 / (abs(d.x) + abs(d.y) + abs(d.z));
   Vec2 p = Vec2(d.x, d.y) * scale;
-  Vec2 folded = Vec2(d.x < 0.0 ? abs(p.y) - 1.0 : 1.0 - abs(p.y), d.y < 0.0 ? abs(p.x) - 1.0 : 1.0 - abs(p.x));
-  return (d.z < 0.0 ? folded : p) * 0.5 + 0.5;
+  return (d.z < 0.0 ? foldOctahedron(p) : p) * 0.5 + 0.5;
 }
 Vec3 fromOctahedron(Vec2 square) {
   Vec2 p = square * 2.0 - 1.0;
-  Vec2 folded = Vec2(p.x < 0.0 ? abs(p.y) - 1.0 : 1.0 - abs(p.y), p.y < 0.0 ? abs(p.x) - 1.0 : 1.0 - abs(p.x));
   Float z = 1.0 - abs(p.x) - abs(p.y);
-  Vec2 q = z < 0.0 ? folded : p;
+  Vec2 q = z < 0.0 ? foldOctahedron(p) : p;
   return normalize(Vec3(q.x, q.y, z));
 }
 

@@ -54,10 +54,10 @@ VKPT_CONSTANT uint kPixelsPerTexel = 2u;      // of a texture: RGB in half float
 
 // --- guided directions: lib/guide.glsl ---
 VKPT_CONSTANT uint kGuideEdge = 16u; // bins of directions on a side of a square
-VKPT_CONSTANT uint kGuideBins = 256u;
-VKPT_CONSTANT uint kGuideUnits = 65536u;           // of the bins of a histogram together
-VKPT_CONSTANT uint kGuideShareInverse = 4u;        // one of so many directions is the guide's
-VKPT_CONSTANT uint kGuideShareBelow = 0x40000000u; // 2^32 over it
+VKPT_CONSTANT uint kGuideBins = kGuideEdge * kGuideEdge;
+VKPT_CONSTANT uint kGuideUnits = 65536u;    // of the bins of a histogram together
+VKPT_CONSTANT uint kGuideShareInverse = 4u; // one of so many directions is the guide's
+VKPT_CONSTANT uint kGuideShareBelow = 0xFFFFFFFFu / kGuideShareInverse + 1u; // 2^32 over it
 VKPT_CONSTANT uint kNoGuide = 0xFFFFFFFFu;
 // The number of a cube of a grid with `edge` cubes along it, a multiple of 4: sixteen that lie together share
 // a cache line.

@@ -15,8 +15,7 @@ constexpr std::uint32_t kCoarsestEdge = 16; ///< cubes along a grid
 constexpr std::uint32_t kFinestEdge = 64;
 constexpr std::uint32_t kEnoughPhotons = 64;                  ///< that a cube of a finer grid takes
 constexpr std::uint32_t kRowUnits = kGuideUnits / kGuideBins; ///< of a row of an alias table
-
-constexpr std::uint32_t kMostUnits = kGuideUnits - 1; ///< of a bin
+constexpr std::uint32_t kMostUnits = kGuideUnits - 1;         ///< of a bin
 
 using Histogram = std::array<double, kGuideBins>;
 using Units = std::array<std::uint32_t, kGuideBins>;
@@ -70,41 +69,44 @@ void appendBins(const Units& units, std::vector<std::uint32_t>& out) {
     out.push_back(units[i] | (threshold[i] << 16U) | (alias[i] << 24U));
 }
 
-/// About all photons.
-GuideGrid gridAbout(std::span<const Photon> photons, std::uint32_t edge) {
+/// The finest, about all photons.
+GuideGrid gridAbout(std::span<const Photon> photons) {
   Box3d box;
   for (const Photon& p : photons)
     box.extend(Vec3d(p.p));
   const Vec3d extent = box.extent();
   const double longest =
       std::max({extent.x, extent.y, extent.z, 1e-6 * glm::length(box.upper), 1e-30}) * 1.001;
-  return {Vec3f(box.centre() - 0.5 * longest), static_cast<float>(edge / longest), edge};
+  return {Vec3f(box.centre() - 0.5 * longest), static_cast<float>(kFinestEdge / longest), kFinestEdge};
 }
 
-struct Cube {
-  std::uint32_t photons = 0;
-  Histogram histogram{};
-};
-/// By number, x fastest; those that have photons.
-using Cubes = std::map<std::uint32_t, Cube>;
-
-/// A photon counts in the eight cubes nearest to it, those outside left out.
-Cubes cubesOf(const GuideGrid& grid, std::span<const Photon> photons) {
-  Cubes cubes;
+/// visit(cube), by number, x fastest, for the eight cubes nearest to a point; those outside are left out.
+template<class Visit>
+void eachNear(const GuideGrid& grid, const Vec3f& p, const Visit& visit) {
   const auto edge = static_cast<float>(grid.edge);
-  for (const Photon& photon : photons) {
-    const Vec3f q = (photon.p - grid.lower) * grid.cubesPerMetre;
-    for (std::uint32_t corner = 0; corner < 8; ++corner) {
-      const auto side = [&](std::uint32_t axis) { return ((corner >> axis) & 1U) != 0U ? 0.5F : -0.5F; };
-      const Vec3f at = glm::floor(q + Vec3f(side(0), side(1), side(2)));
-      if (!(at.x >= 0 && at.y >= 0 && at.z >= 0 && at.x < edge && at.y < edge && at.z < edge))
-        continue;
-      Cube& cube = cubes[static_cast<std::uint32_t>((at.z * edge + at.y) * edge + at.x)];
-      ++cube.photons;
-      cube.histogram[photon.bin] += static_cast<double>(photon.power);
-    }
+  const Vec3f q = (p - grid.lower) * grid.cubesPerMetre;
+  for (std::uint32_t corner = 0; corner < 8; ++corner) {
+    const auto side = [&](std::uint32_t axis) { return ((corner >> axis) & 1U) != 0U ? 0.5F : -0.5F; };
+    const Vec3f at = glm::floor(q + Vec3f(side(0), side(1), side(2)));
+    if (at.x >= 0 && at.y >= 0 && at.z >= 0 && at.x < edge && at.y < edge && at.z < edge)
+      visit(static_cast<std::uint32_t>((at.z * edge + at.y) * edge + at.x));
   }
-  return cubes;
+}
+
+/// By cube; of those with at least so many photons, since a histogram takes 2 KB.
+std::map<std::uint32_t, Histogram> histogramsIn(const GuideGrid& grid, std::span<const Photon> photons,
+                                                std::uint32_t least) {
+  std::map<std::uint32_t, std::uint32_t> count;
+  for (const Photon& photon : photons)
+    eachNear(grid, photon.p, [&](std::uint32_t cube) { ++count[cube]; });
+  std::map<std::uint32_t, Histogram> histograms;
+  for (const Photon& photon : photons) {
+    eachNear(grid, photon.p, [&](std::uint32_t cube) {
+      if (count[cube] >= least)
+        histograms[cube][photon.bin] += static_cast<double>(photon.power);
+    });
+  }
+  return histograms;
 }
 
 /// The cubes of the finest grid that lie in one of a grid with `edge` cubes along it begin at `start`.
@@ -125,14 +127,15 @@ Guide makeGuide(std::span<const Photon> photons) {
   Guide guide;
   if (photons.empty())
     return guide;
-  guide.grid = gridAbout(photons, kFinestEdge);
+  guide.grid = gridAbout(photons);
   guide.numbers.assign(std::size_t{kFinestEdge} * kFinestEdge * kFinestEdge, shared::kNoGuide);
   for (std::uint32_t edge = kCoarsestEdge; edge <= kFinestEdge; edge *= 2) {
-    for (const auto& [number, cube] : cubesOf(gridAbout(photons, edge), photons)) {
-      if (edge > kCoarsestEdge && cube.photons < kEnoughPhotons)
-        continue;
-      fill(guide.numbers, edge, number, static_cast<std::uint32_t>(guide.numbers.size()));
-      appendBins(apportion(cube.histogram), guide.numbers);
+    const GuideGrid grid{guide.grid.lower, guide.grid.cubesPerMetre / static_cast<float>(kFinestEdge / edge),
+                         edge};
+    const std::uint32_t least = edge == kCoarsestEdge ? 1 : kEnoughPhotons;
+    for (const auto& [cube, histogram] : histogramsIn(grid, photons, least)) {
+      fill(guide.numbers, edge, cube, static_cast<std::uint32_t>(guide.numbers.size()));
+      appendBins(apportion(histogram), guide.numbers);
     }
   }
   return guide;

@@ -2,6 +2,7 @@
 // What guided directions are drawn from: shaders/lib/guide.glsl.
 
 #include "device/packed_scene.h"
+#include "shared/structs.h"
 
 #include <span>
 

@@ -226,7 +226,7 @@ void packEnvironment(const EnvironmentMap& map, PackedScene& packed) {
 
 /// A buffer that no code reads is still bound, and one that is read for nothing holds a whole record.
 void fillEmpty(PackedScene& packed) {
-  const auto fill = [](std::vector<Texel>& texels, std::uint32_t record) {
+  const auto fill = [](auto& texels, std::uint32_t record) {
     if (texels.empty())
       texels.resize(record);
   };
@@ -238,6 +238,7 @@ void fillEmpty(PackedScene& packed) {
   fill(packed.uvs, shared::kTexelsPerUv);
   fill(packed.textures, 1);
   fill(packed.environment, shared::kTexelsPerEnvironmentTexel);
+  fill(packed.guide, sizeof(Texel) / sizeof(std::uint32_t)); // single numbers
 }
 
 } // namespace

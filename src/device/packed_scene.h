@@ -4,7 +4,6 @@
 #include "accel/bvh.h"
 #include "device/effects.h"
 #include "scene/scene.h"
-#include "shared/structs.h"
 
 #include <array>
 #include <vector>
@@ -38,11 +37,11 @@ struct PackedScene {
   std::vector<Texel> normals;   ///< the same
   std::vector<Texel> materials;
   std::vector<Texel> lights;
-  std::vector<Texel> lightNodes;  ///< of the light tree: kTexelsPerLightNode each
-  std::vector<Texel> uvs;         ///< kTexelsPerUv a triangle, in BVH order
-  std::vector<Texel> textures;    ///< one for each texture, then their pixels in half floats
-  std::vector<Texel> environment; ///< kTexelsPerEnvironmentTexel for each of the map's
-  std::vector<std::uint32_t> guide = std::vector<std::uint32_t>(4, shared::kNoGuide); ///< device/guide.h
+  std::vector<Texel> lightNodes;    ///< of the light tree: kTexelsPerLightNode each
+  std::vector<Texel> uvs;           ///< kTexelsPerUv a triangle, in BVH order
+  std::vector<Texel> textures;      ///< one for each texture, then their pixels in half floats
+  std::vector<Texel> environment;   ///< kTexelsPerEnvironmentTexel for each of the map's
+  std::vector<std::uint32_t> guide; ///< device/guide.h
   LightChoice lightChoice;
   std::size_t leftOut = 0; ///< triangles whose material is nothing
 };
