@@ -1,6 +1,7 @@
 #include "gpu/buffer.h"
 
 #include "core/error.h"
+#include "gpu/huge_pages.h"
 
 #include <fmt/format.h>
 
@@ -50,8 +51,10 @@ Buffer::Buffer(const Context& context, std::string what, vk::DeviceSize bytes, v
     m_memory = vk::raii::DeviceMemory(context.device(), {needs.size, type});
     m_buffer.bindMemory(*m_memory, 0);
     const auto flags = context.memory().memoryTypes[type].propertyFlags;
-    if ((flags & Flag::eHostVisible) && (flags & Flag::eHostCoherent))
+    if ((flags & Flag::eHostVisible) && (flags & Flag::eHostCoherent)) {
       m_mapped = m_memory.mapMemory(0, VK_WHOLE_SIZE);
+      adviseHugePages(m_mapped, m_bytes);
+    }
   } catch (const vk::SystemError& e) {
     throw DeviceError(fmt::format("{}: no room for {} ({:.1f} MB): {}", context.info().name, m_what,
                                   static_cast<double>(m_bytes) * 1e-6, e.what()));
