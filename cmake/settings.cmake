@@ -13,6 +13,9 @@ find_package(Threads REQUIRED)
 
 set(VKPT_SANITIZE "" CACHE STRING "Sanitizers of our own code, e.g. address,undefined")
 option(VKPT_HOST_ONLY "Leave out what needs a device: no Vulkan driver under the sanitizers" OFF)
+if(NOT VKPT_HOST_ONLY)
+  set(VKPT_DEVICE_HEADERS <vulkan/vulkan_raii.hpp>) # to precompile
+endif()
 
 add_library(vkpt_settings INTERFACE)
 target_compile_options(vkpt_settings INTERFACE -Wall -Wextra -Wconversion -Wshadow -Werror -ffp-contract=off)

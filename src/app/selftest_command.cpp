@@ -8,11 +8,13 @@
 #include "app/status_line.h"
 #include "core/clock.h"
 #include "selftest/run_tests.h"
+#include "selftest/scene_means.h"
 
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
 #include <cstdio>
+#include <optional>
 
 namespace vkpt {
 namespace {
@@ -37,16 +39,20 @@ NoriTests loadTests(const RenderOptions& o) {
 ExitCode runFile(const RenderOptions& o) {
   const NoriTests tests = loadTests(o);
   const bool quiet = o.log == LogLevel::Quiet;
-  const SelftestSettings settings{o.seed,
-                                  [&o](const Scene& scene) { return estimatorFor(o, scene); },
-                                  {o.device, o.validation, pipelineCacheFolder()}};
-  const SelftestCounts counts = runTests(tests, settings, [quiet](const TestOutcome& outcome) {
+  std::optional<gpu::Context> context; // opened only where a scene is to be rendered
+  const TestScenes testScenes = [&](const NoriTTest& test, std::uint32_t seed, const TellOutcome& tell) {
+    if (!context)
+      context.emplace(gpu::ContextOptions{o.device, o.validation, pipelineCacheFolder()});
+    testSceneMeans(
+        test, *context, [&o](const Scene& scene) { return estimatorFor(o, scene); }, seed, tell);
+  };
+  const SelftestCounts counts = runTests(tests, o.seed, testScenes, [quiet](const TestOutcome& outcome) {
     if (!quiet)
       fmt::print("{}\n", outcomeText(outcome));
   });
   if (!quiet)
     fmt::print("{} passed, {} failed (seed {})\n", counts.passed, counts.failed, o.seed);
-  if (counts.validationMessages > 0)
+  if (context && context->validationMessages() > 0)
     throw DeviceError("the Vulkan validation layer had something to say, see above");
   if (counts.failed == 0)
     return ExitCode::Done;

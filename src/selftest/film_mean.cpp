@@ -1,9 +1,12 @@
 #include "selftest/film_mean.h"
 
 #include "selftest/luminance.h"
+#include "shared/structs.h"
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
+#include <numeric>
 
 namespace vkpt {
 
@@ -26,6 +29,16 @@ MeanEstimate meanLuminance(const Film& film) {
   estimate.variance = std::max(variances / (pixels * pixels), kLeastSampleVariance / samples);
   estimate.degrees = squares > 0.0 ? variances * variances / squares : samples - pixels;
   return estimate;
+}
+
+std::pair<int, int> sizeForSamples(int width, int height, int samples) {
+  const int divisor = std::gcd(width, height);
+  const int shapeX = width / divisor;
+  const int shapeY = height / divisor;
+  const double pixels = static_cast<double>(samples) / shared::kSamplesPerGroup;
+  const int factor =
+      std::max(1, static_cast<int>(std::sqrt(pixels / (static_cast<double>(shapeX) * shapeY))));
+  return {shapeX * factor, shapeY * factor};
 }
 
 } // namespace vkpt

@@ -4,6 +4,8 @@
 #include "film/film.h"
 #include "selftest/hypothesis.h"
 
+#include <utility>
+
 namespace vkpt {
 
 /// The mean over all pixels, which are strata of equal weight. Its variance comes from the pixels' own: what
@@ -11,5 +13,8 @@ namespace vkpt {
 /// variance an upper bound, exact for grey light. Degrees of freedom: Welch 1947, Satterthwaite 1946. Every
 /// pixel needs two samples.
 MeanEstimate meanLuminance(const Film& film);
+
+/// Width and height of the same shape with 16 or more of `samples` for a pixel, where the shape allows it.
+std::pair<int, int> sizeForSamples(int width, int height, int samples);
 
 } // namespace vkpt

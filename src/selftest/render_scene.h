@@ -3,6 +3,7 @@
 
 #include "film/film.h"
 #include "render/render_loop.h"
+#include "selftest/settings.h"
 
 #include <memory>
 #include <optional>
@@ -56,17 +57,5 @@ private:
 };
 
 Rendered renderScene(const gpu::Context& context, const Scene& scene, const RenderSetup& setup);
-
-/// Hash of a name: the seed of a check, or of one of several renders in it.
-std::uint32_t seedOf(const std::string& name);
-
-EstimatorSettings bsdfSampling(RouletteMode roulette = RouletteMode::Throughput);
-EstimatorSettings lightSampling();
-EstimatorSettings misSampling();
-/// Roulette never ends a path within any number of bounces that a test's scene allows.
-EstimatorSettings withoutRoulette(EstimatorSettings settings);
-EstimatorSettings withBounces(EstimatorSettings settings, std::uint32_t bounces);
-/// Every effect there is, whatever the scene calls for.
-EffectSet everyEffect();
 
 } // namespace vkpt::selftest

@@ -2,12 +2,10 @@
 
 #include "selftest/bsdf_directions.h"
 #include "selftest/bsdf_means.h"
-#include "selftest/scene_means.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <optional>
 
 namespace vkpt {
 namespace {
@@ -35,28 +33,23 @@ std::string outcomeText(const TestOutcome& outcome) {
                      outcome.what, outcome.figures, verdict);
 }
 
-SelftestCounts runTests(const NoriTests& tests, const SelftestSettings& settings, const TellOutcome& tell) {
+SelftestCounts runTests(const NoriTests& tests, std::uint32_t seed, const TestScenes& testScenes,
+                        const TellOutcome& tell) {
   std::ranges::for_each(tests.chi2Tests, checkDensities);
   SelftestCounts counts;
   const TellOutcome count = [&](const TestOutcome& outcome) {
     ++(outcome.passed() ? counts.passed : counts.failed);
     tell(outcome);
   };
-  Seeds seeds(settings.seed);
+  Seeds seeds(seed);
   for (const NoriChi2Test& test : tests.chi2Tests)
     testBsdfDirections(test, seeds.next(), count);
-  std::optional<gpu::Context> context;
   for (const NoriTTest& test : tests.tTests) {
-    const std::uint32_t seed = seeds.next();
-    if (test.scenes.empty()) {
-      testBsdfMeans(test, seed, count);
-      continue;
-    }
-    if (!context)
-      context.emplace(settings.device);
-    testSceneMeans(test, *context, settings.estimator, seed, count);
+    if (test.scenes.empty())
+      testBsdfMeans(test, seeds.next(), count);
+    else
+      testScenes(test, seeds.next(), count);
   }
-  counts.validationMessages = context ? context->validationMessages() : 0;
   return counts;
 }
 

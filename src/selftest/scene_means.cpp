@@ -6,8 +6,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
-#include <numeric>
 
 namespace vkpt {
 namespace {
@@ -16,16 +14,6 @@ namespace {
 constexpr std::uint64_t kLeastFrames = 2;
 
 } // namespace
-
-std::pair<int, int> sizeForSamples(int width, int height, int samples) {
-  const int divisor = std::gcd(width, height);
-  const int shapeX = width / divisor;
-  const int shapeY = height / divisor;
-  const double pixels = static_cast<double>(samples) / shared::kSamplesPerGroup;
-  const int factor =
-      std::max(1, static_cast<int>(std::sqrt(pixels / (static_cast<double>(shapeX) * shapeY))));
-  return {shapeX * factor, shapeY * factor};
-}
 
 void testSceneMeans(const NoriTTest& test, const gpu::Context& context,
                     const std::function<EstimatorSettings(const Scene&)>& estimatorOf, std::uint32_t seed,

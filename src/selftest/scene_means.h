@@ -17,7 +17,4 @@ void testSceneMeans(const NoriTTest& test, const gpu::Context& context,
                     const std::function<EstimatorSettings(const Scene&)>& estimatorOf, std::uint32_t seed,
                     const TellOutcome& tell);
 
-/// Width and height of the same shape with 16 or more of `samples` for a pixel, where the shape allows it.
-std::pair<int, int> sizeForSamples(int width, int height, int samples);
-
 } // namespace vkpt

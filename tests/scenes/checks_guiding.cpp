@@ -48,7 +48,7 @@ void furnaceByGuide(Trial& t) {
   for (const RouletteMode roulette : {RouletteMode::Throughput, RouletteMode::Albedo}) {
     EstimatorSettings e = guided();
     e.roulette = roulette;
-    const Film film = t.render(scene, {.estimator = e, .width = 32, .height = 32, .frames = 512}).film;
+    const Film film = t.render(scene, {.estimator = e, .width = 32, .height = 32, .frames = 256}).film;
     t.expectMean(film, Vec3d(emission) / (Vec3d(1.0) - Vec3d(albedo)), 0.02,
                  roulette == RouletteMode::Albedo ? "by albedo" : "by throughput");
   }
@@ -60,7 +60,7 @@ void varietyByGuide(Trial& t) {
   for (Material& m : scene.materials)
     m.absorption = Vec3f(0.0F); // paths from the lights can't go together with it
   const auto with = [&](const EstimatorSettings& e) {
-    return t.render(scene, {.estimator = e, .width = 32, .height = 32, .frames = 512}).film;
+    return t.render(scene, {.estimator = e, .width = 32, .height = 32, .frames = 256}).film;
   };
   EstimatorSettings several = guided();
   several.specularSamples = 3;

@@ -80,7 +80,7 @@ void furnaceFromLights(Trial& t) {
   const Vec3f emission(3.0F, 2.0F, 1.0F);
   const Scene scene = furnaceWithSolids(albedo, emission, lookAt({0.0, 0.3, 0.9}, {0.0, -0.2, 0.0}, 80.0));
   const Film film =
-      t.render(scene, {.estimator = fromLights(), .width = 32, .height = 32, .frames = 1024}).film;
+      t.render(scene, {.estimator = fromLights(), .width = 32, .height = 32, .frames = 128}).film;
   t.expectMean(film, Vec3d(emission) / (Vec3d(1.0) - Vec3d(albedo)), 0.02);
 }
 
@@ -90,8 +90,8 @@ void expectLightsCaustics(Trial& t, const Scene& scene) {
   const auto with = [&](const EstimatorSettings& e, std::uint64_t frames) {
     return t.render(scene, {.estimator = e, .width = 32, .height = 32, .frames = frames}).film;
   };
-  const Film lights = with(fromLights(), 1024);
-  const Film eye = with(misSampling(), 2048);
+  const Film lights = with(fromLights(), 256);
+  const Film eye = with(misSampling(), 512);
   t.expectEqualMeans(lights, eye, 0.02, "the image");
   // By place: the columns of a wide image.
   for (int i = 0; i < 4; ++i)
@@ -166,7 +166,7 @@ void varietyFromLights(Trial& t) {
   for (Material& m : scene.materials)
     m.absorption = Vec3f(0.0F); // they can't go together
   const auto with = [&](const EstimatorSettings& e) {
-    return t.render(scene, {.estimator = e, .width = 32, .height = 32, .frames = 512}).film;
+    return t.render(scene, {.estimator = e, .width = 32, .height = 32, .frames = 256}).film;
   };
   t.expectEqualMeans(with(repeated(3, fromLights())), with(misSampling()), 0.03, "with light paths");
   EstimatorSettings nee = fromLights();

@@ -38,7 +38,7 @@ void lampsByTree(Trial& t) {
   const Scene scene = lampsAllAround();
   const auto with = [&](EstimatorSettings e) {
     e.pathKinds = kAllPathKinds & ~1U; // without the lamps themselves, whose edges are all noise
-    return t.render(scene, {.estimator = e, .width = 32, .height = 32, .frames = 512}).film;
+    return t.render(scene, {.estimator = e, .width = 32, .height = 32, .frames = 192}).film;
   };
   const Film power = with(misSampling());
   for (const auto& [light, name] : {std::pair(LightStrategy::Nee, "nee"), {LightStrategy::Mis, "mis"}}) {
@@ -68,7 +68,7 @@ void glowByTree(Trial& t) {
 void everythingByTree(Trial& t) {
   const Scene scene = everything();
   const auto with = [&](const EstimatorSettings& e) {
-    return t.render(scene, {.estimator = e, .width = 32, .height = 32, .frames = 1024}).film;
+    return t.render(scene, {.estimator = e, .width = 32, .height = 32, .frames = 192}).film;
   };
   t.expectEqualMeans(with(byTree()), with(misSampling()), 0.03, "everything");
 }

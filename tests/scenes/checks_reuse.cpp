@@ -60,13 +60,13 @@ SceneBuilder clutter() {
 /// By light sampling alone, weighted, and by BSDF sampling alone with roulette that ends paths at x1.
 void clutterShared(Trial& t) {
   const Scene scene = clutter().build();
-  const std::vector<Film> alone = overRuns(t, scene, misSampling(), 32);
-  expectSameMeans(t, overRuns(t, scene, shared(16), 32), alone, 0.02, "16 pixels");
-  expectSameMeans(t, overRuns(t, scene, shared(4, lightSampling()), 32), alone, 0.02, "4, light sampling");
+  const std::vector<Film> alone = overRuns(t, scene, misSampling(), 16);
+  expectSameMeans(t, overRuns(t, scene, shared(16), 16), alone, 0.02, "16 pixels");
+  expectSameMeans(t, overRuns(t, scene, shared(4, lightSampling()), 16), alone, 0.02, "4, light sampling");
   EstimatorSettings ending = shared(64);
   ending.roulette = RouletteMode::Albedo;
   ending.rouletteAfter = 1;
-  expectSameMeans(t, overRuns(t, scene, ending, 32), alone, 0.02, "64, roulette by albedo");
+  expectSameMeans(t, overRuns(t, scene, ending, 16), alone, 0.02, "64, roulette by albedo");
 }
 
 /// Everything glows: Le / (1 - albedo) wherever the camera looks.
@@ -80,7 +80,7 @@ void furnaceShared(Trial& t) {
           .camera(lookAt({0.3, 0.6, 0.9}, {0.0, -0.4, 0.0}, 90.0))
           .build();
   for (const LightStrategy light : {LightStrategy::Mis, LightStrategy::Bsdf}) {
-    const Film mean = overRuns(t, scene, shared(16, findingLightBy(light)), 32)[0];
+    const Film mean = overRuns(t, scene, shared(16, findingLightBy(light)), 8)[0];
     t.expectMean(mean, Vec3d(emission) / (Vec3d(1.0) - Vec3d(albedo)), 0.02,
                  light == LightStrategy::Mis ? "weighted" : "by chance");
   }
@@ -102,7 +102,7 @@ void causticsShared(Trial& t) {
   EstimatorSettings both = of(shared(64));
   both.lightTracing = LightTracing::On;
   const Scene scene = builder.build();
-  expectSameMeans(t, overRuns(t, scene, both, 128), overRuns(t, scene, of(misSampling()), 256), 0.02,
+  expectSameMeans(t, overRuns(t, scene, both, 96), overRuns(t, scene, of(misSampling()), 192), 0.02,
                   "caustics");
 }
 
@@ -136,7 +136,7 @@ void everythingShared(Trial& t) {
   e.lightSelection = LightSelection::Tree;
   e.specularSamples = 2;
   e.lightSamples = 2;
-  expectSameMeans(t, overRuns(t, scene, e, 64), overRuns(t, scene, misSampling(), 64), 0.03, "everything");
+  expectSameMeans(t, overRuns(t, scene, e, 32), overRuns(t, scene, misSampling(), 32), 0.03, "everything");
 }
 
 /// What a path must remember of having been shared, and what it has brought until then.

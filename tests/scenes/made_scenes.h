@@ -4,7 +4,7 @@
 
 #include "device/estimator_settings.h"
 #include "scenes/scene_builder.h"
-#include "selftest/render_scene.h"
+#include "selftest/settings.h"
 
 #include <functional>
 

@@ -34,8 +34,7 @@ struct Results {
 
 Results run(const NoriTests& tests, std::uint32_t seed = 0) {
   Results results;
-  results.counts =
-      runTests(tests, {seed, {}, {}}, [&](const TestOutcome& o) { results.outcomes.push_back(o); });
+  results.counts = runTests(tests, seed, {}, [&](const TestOutcome& o) { results.outcomes.push_back(o); });
   return results;
 }
 
@@ -122,7 +121,7 @@ TEST(BsdfDirections, NeedADensity) {
     bool ran = false;
     const auto tell = [&](const TestOutcome&) { ran = true; };
     try {
-      runTests(directionsOf({diffuse(0.5F), m}), {}, tell);
+      runTests(directionsOf({diffuse(0.5F), m}), 0, {}, tell);
       FAIL() << m.name;
     } catch (const SceneError& e) {
       EXPECT_TRUE(std::string_view(e.what()).starts_with("test.xml:7:5: " + m.name + " has no density"))

@@ -1,7 +1,6 @@
 // The mean of an image, and the size that an image is rendered at.
 
 #include "selftest/film_mean.h"
-#include "selftest/scene_means.h"
 
 #include <gtest/gtest.h>
 

@@ -108,10 +108,10 @@ private:
 };
 
 TEST_F(PreviewTest, ShowsAndSavesTheHeadlessFilm) {
-  headless("plain", with(kSpheres, {"--frames", "16"}));
-  headless("bright", with(kSpheres, {"--frames", "16", "--exposure", "0.5", "--tonemap", "aces"}));
-  Preview preview(screen(), m_folder, with(kSpheres, {"--frames", "16"}));
-  EXPECT_EQ(preview.await("rests")["frames"], 16);
+  headless("plain", with(kSpheres, {"--frames", "8"}));
+  headless("bright", with(kSpheres, {"--frames", "8", "--exposure", "0.5", "--tonemap", "aces"}));
+  Preview preview(screen(), m_folder, with(kSpheres, {"--frames", "8"}));
+  EXPECT_EQ(preview.await("rests")["frames"], 8);
   preview.press("h");
   expectShown(preview, "plain.png");
   preview.press("b");
@@ -131,7 +131,7 @@ TEST_F(PreviewTest, ShowsAndSavesTheHeadlessFilm) {
 
 TEST_F(PreviewTest, OrbitsAndPrintsTheCamera) {
   // The horizontal field of view comes back as it is, so the camera is the same to the last bit.
-  const std::vector<std::string> scene = with(kScene, {"--frames", "16", "--fov", "60"});
+  const std::vector<std::string> scene = with(kScene, {"--frames", "8", "--fov", "60"});
   headless("before", scene);
   Preview preview(screen(), m_folder, scene);
   preview.await("rests");
@@ -142,7 +142,7 @@ TEST_F(PreviewTest, OrbitsAndPrintsTheCamera) {
   const auto coarse = preview.await("begun");
   EXPECT_GT(coarse["coarseness"], 1) << "while the camera moves";
   const auto fine = preview.await("rests");
-  EXPECT_EQ(fine["frames"], 16);
+  EXPECT_EQ(fine["frames"], 8);
   EXPECT_EQ(preview.events("begun").back()["coarseness"], 1);
   const View after = printedView(preview);
   double moved = 0.0;
@@ -151,15 +151,15 @@ TEST_F(PreviewTest, OrbitsAndPrintsTheCamera) {
     moved += std::abs(after.eye[i] - before.eye[i]);
   }
   EXPECT_GT(moved, 1.0);
-  headless("orbited", with(with(kScene, {"--frames", "16"}), words(printedCamera(preview))));
+  headless("orbited", with(with(kScene, {"--frames", "8"}), words(printedCamera(preview))));
   EXPECT_NE(readPng(m_folder / "orbited.png").pixels, readPng(m_folder / "before.png").pixels);
   expectShown(preview, "orbited.png");
   expectSilent(preview.quit());
 }
 
 TEST_F(PreviewTest, FollowsTheWindowsSize) {
-  headless("larger", {"cornell", "--size", "313x201", "--frames", "16"});
-  Preview preview(screen(), m_folder, with(kScene, {"--frames", "16"}));
+  headless("larger", {"cornell", "--size", "313x201", "--frames", "8"});
+  Preview preview(screen(), m_folder, with(kScene, {"--frames", "8"}));
   preview.await("rests");
   preview.press("h");
   screen().user("search --name vkpt windowsize 313 201");
@@ -178,9 +178,9 @@ TEST_F(PreviewTest, FollowsTheWindowsSize) {
 }
 
 TEST_F(PreviewTest, KeysChooseTheShader) {
-  headless("direct", with(kScene, {"--frames", "16", "--max-bounces", "1"}));
-  headless("paths", with(kScene, {"--frames", "16"}));
-  Preview preview(screen(), m_folder, with(kScene, {"--frames", "16"}));
+  headless("direct", with(kScene, {"--frames", "8", "--max-bounces", "1"}));
+  headless("paths", with(kScene, {"--frames", "8"}));
+  Preview preview(screen(), m_folder, with(kScene, {"--frames", "8"}));
   preview.await("rests");
   preview.press("h");
   preview.press("r");

@@ -28,7 +28,13 @@ TEST(BvhStructure, HoldsForEverySmallCount) {
 /// Far above the size from which all threads split a range together: the boxes from such splits are still
 /// there after the collapse.
 TEST(BvhStructure, HoldsWhereRangesAreSplitInChunks) {
-  for (const Mesh& mesh : {waves(230), soup(100'000, 0.01F, "chunks"), coincident(100'000)}) {
+#ifdef __SANITIZE_ADDRESS__
+  constexpr std::uint32_t kEdge = 150; // one such range
+#else
+  constexpr std::uint32_t kEdge = 230;
+#endif
+  constexpr std::size_t kCount = 2 * kEdge * kEdge;
+  for (const Mesh& mesh : {waves(kEdge), soup(kCount, 0.01F, "chunks"), coincident(kCount)}) {
     const std::vector<Box3f> boxes = boxesOf(mesh);
     EXPECT_EQ(flawOf(buildBvh(boxes), boxes), "");
     EXPECT_EQ(flawOf(buildBvh(boxes, {.maxDepth = smallestBvhDepth(boxes.size())}), boxes), "");
