@@ -95,6 +95,8 @@ std::vector<std::string> describeOptions(const RenderOptions& o, const RenderJob
     say("--time {}", *job.seconds);
   if (job.targetError)
     say("--target-error {}", *job.targetError);
+  if (o.pilotSeconds)
+    say("--pilot {}", *o.pilotSeconds);
   say("--batch {} --tile-blocks {}", job.batch, job.tileBlocks);
   say("--size {}x{}", scene.width, scene.height);
   for (const auto& path : o.outputs)

@@ -209,6 +209,12 @@ void addEstimatorOptions(CLI::App& app, RenderOptions& o) {
       "neighbouring pixels that share their paths' second halves, 1, 4, 16 or 64: less noise, which the "
       "pixels share, too (default 1)");
   addValue(
+      app, "--pilot", "S",
+      [&o](const auto& text) { o.pilotSeconds = parsePositive("--pilot", text, "seconds, above 0"); },
+      "before the render, try S seconds each in a small image what is worth most: light tracing, choice of "
+      "lights, "
+      "shared paths, paths at specular surfaces, guiding, splitting; options that are given stay");
+  addValue(
       app, "--seed", "N",
       [&o](const auto& text) {
         o.seed = static_cast<std::uint32_t>(parseWhole("--seed", text, 0, kLargest32));
@@ -361,6 +367,8 @@ void interpret(const Flags& flags, CommandLine& line) {
   } else if (o.measure || o.json) {
     throw UsageError(fmt::format("{}: for vkpt explain alone", o.measure ? "--measure" : "--json"));
   }
+  if (o.pilotSeconds && line.command != Command::Render)
+    throw UsageError("--pilot: for a render alone; give the options that its pilot has chosen");
   if (!o.scenes.empty() && o.scenes.front() == "devices") {
     if (o.scenes.size() > 1)
       throw UsageError(fmt::format("devices '{}': the command takes no scene", o.scenes[1].string()));

@@ -18,6 +18,7 @@ inline constexpr std::uint32_t kSpecularSamples = 4;
 struct RenderOptions {
   std::vector<fs::path> scenes;
   RenderJob job;
+  std::optional<double> pilotSeconds; ///< for each setting that is tried before the render; empty: none is
   bool endless = false; ///< where no rule stops the run it goes on, in place of the scene's own count
   /// Where a scene may say otherwise, by estimatorFor().
   EstimatorSettings estimator{.sampler = Sampler::Sobol,

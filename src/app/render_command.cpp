@@ -3,6 +3,7 @@
 #include "app/cache_folder.h"
 #include "app/commands.h"
 #include "app/interrupt.h"
+#include "app/pilot_run.h"
 #include "app/progress.h"
 #include "app/render_run.h"
 #include "core/clock.h"
@@ -27,11 +28,12 @@ ExitCode conclude(const RenderOptions& o, const RunReport& report, const gpu::Co
 
 } // namespace
 
-ExitCode runRender(const RenderOptions& o) {
-  checkOutputs(o);
+ExitCode runRender(const RenderOptions& asked) {
+  checkOutputs(asked);
   const InterruptGuard interrupts;
-  const PreparedRun prepared = prepareRun(o);
-  const gpu::Context context({o.device, o.validation, pipelineCacheFolder()});
+  PreparedRun prepared = prepareRun(asked);
+  const gpu::Context context({asked.device, asked.validation, pipelineCacheFolder()});
+  const RenderOptions o = asked.pilotSeconds ? pilotRun(asked, prepared, context) : asked;
   FinishedRun run;
   {
     ProgressLine progress(o.progress);

@@ -78,6 +78,7 @@ RenderOptions parseRest(const std::vector<std::string>& arguments) {
   };
   refuse(!o.stats.empty(), "--stats");
   refuse(!o.kindPrefix.empty(), "--output-paths");
+  refuse(o.pilotSeconds.has_value(), "--pilot");
   return o;
 }
 

@@ -54,6 +54,8 @@ ExitCode run(std::vector<std::string> arguments) {
   RenderOptions& o = options.render = line.render;
   if (!o.kindPrefix.empty())
     throw UsageError("--output-paths: not an option of view; see vkpt view --help");
+  if (o.pilotSeconds)
+    throw UsageError("--pilot: not an option of view; see vkpt view --help");
   options.outputsNamed = std::ranges::any_of(arguments, [](const std::string& word) {
     return word.starts_with("-o") || word.starts_with("--output");
   });
