@@ -57,7 +57,7 @@ std::string pilotText(const PilotResult& pilot) {
       kept.push_back(t.option);
   }
   if (trials.empty())
-    return "pilot: nothing to choose in this scene";
+    return InterruptGuard::requested() ? "pilot: stopped" : "pilot: nothing to choose in this scene";
   return fmt::format("pilot, {:.1f} s at {}x{}, efficiency over what there was: {}; chosen: {}",
                      pilot.seconds, pilot.width, pilot.height, fmt::join(trials, ", "),
                      kept.empty() ? "nothing else" : fmt::format("{}", fmt::join(kept, " ")));

@@ -15,9 +15,8 @@ namespace vkpt {
 namespace {
 
 constexpr double kMostPixels = 96.0 * 96.0; // of the small image
-constexpr std::uint64_t kLeastFrames =
-    64; // below, errors fall faster than they will: Sobol' points fill the replicates
-constexpr double kUnknown = 1e-3; // of the pixels: their errors
+constexpr std::uint64_t kLeastFrames = 64;  // the replicates tell their error from 32 on
+constexpr double kUnknown = 1e-3;           // of the pixels: their errors
 
 struct Answer {
   const char* value;
@@ -198,7 +197,8 @@ private:
     double best = kPilotGain;
     std::size_t kept = 0;
     for (std::size_t i = 1; i < contenders.size(); ++i) {
-      const double gain = efficiency(contenders[i]) / before;
+      const double now = efficiency(contenders[i]);
+      const double gain = now == before ? 1.0 : now / before; // both infinite where nothing is noisy
       m_result.trials.push_back({contenders[i].option, gain, false});
       if (gain > best) {
         best = gain;
