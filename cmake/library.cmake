@@ -1,5 +1,6 @@
 # vkpt_library(NAME SOURCES... DEVICE_SOURCES... DEPENDS... PRIVATE_DEPENDS...): the library vkpt_NAME of src/NAME;
-# installed and exported as vkpt::NAME. DEVICE_SOURCES need a device and are left out with VKPT_HOST_ONLY. Includes are written from src/ or shaders/ on: "core/error.h", "shared/structs.h".
+# installed and exported as vkpt::NAME. DEVICE_SOURCES need a device and are left out with VKPT_HOST_ONLY.
+# Includes are written from src/ or shaders/ on: "core/error.h", "shared/structs.h".
 # Packages it depends on are named by their targets, PACKAGE::TARGET (cmake/install.cmake finds them for consumers).
 function(vkpt_library name)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "SOURCES;DEVICE_SOURCES;DEPENDS;PRIVATE_DEPENDS")

@@ -212,8 +212,7 @@ void addEstimatorOptions(CLI::App& app, RenderOptions& o) {
       app, "--pilot", "S",
       [&o](const auto& text) { o.pilotSeconds = parsePositive("--pilot", text, "seconds, above 0"); },
       "before the render, try S seconds each in a small image what is worth most: light tracing, choice of "
-      "lights, "
-      "shared paths, paths at specular surfaces, guiding, splitting; options that are given stay");
+      "lights, shared paths, paths at specular surfaces, guiding, splitting; options that are given stay");
   addValue(
       app, "--seed", "N",
       [&o](const auto& text) {

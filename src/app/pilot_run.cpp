@@ -13,16 +13,14 @@
 namespace vkpt {
 namespace {
 
-/// As "--option=value" or "--option value".
-bool isOption(std::string_view word, std::string_view option) {
-  return word.starts_with(option) && (word.size() == option.size() || word[option.size()] == '=');
-}
+/// Of "--option=value" or "--option", whose value is the next word.
+std::string optionOf(const std::string& word) { return word.substr(0, word.find('=')); }
 
 std::vector<std::string> optionsGiven(const std::vector<std::string>& arguments) {
   std::vector<std::string> given;
   for (const auto& word : arguments) {
     if (word.starts_with("--"))
-      given.push_back(word.substr(0, word.find('=')));
+      given.push_back(optionOf(word));
   }
   return given;
 }
@@ -32,7 +30,7 @@ std::vector<std::string> chosenArguments(const std::vector<std::string>& argumen
                                          const PilotResult& pilot) {
   std::vector<std::string> words;
   for (std::size_t i = 0; i < arguments.size(); ++i) {
-    if (!isOption(arguments[i], "--pilot"))
+    if (optionOf(arguments[i]) != "--pilot")
       words.push_back(arguments[i]);
     else if (arguments[i].find('=') == std::string::npos)
       ++i; // its value

@@ -3,13 +3,13 @@
 #include "app/expanded_options.h"
 #include "app/load_scene.h"
 #include "core/clock.h"
+#include "scene/image_size.h"
 
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
 #include <cctype>
-#include <cmath>
 
 namespace vkpt {
 namespace {
@@ -26,9 +26,7 @@ void chooseSize(Scene& scene, const StudyOptions& o, const std::optional<Image>&
     scene.width = reference->width;
     scene.height = reference->height;
   } else if (!o.common.size) {
-    const double scale = static_cast<double>(kLongerSide) / std::max(scene.width, scene.height);
-    scene.width = std::max(1, static_cast<int>(std::lround(scene.width * scale)));
-    scene.height = std::max(1, static_cast<int>(std::lround(scene.height * scale)));
+    scaleImage(scene, static_cast<double>(kLongerSide) / std::max(scene.width, scene.height));
   }
 }
 

@@ -1,6 +1,7 @@
 #include "study/pilot.h"
 
 #include "core/clock.h"
+#include "scene/image_size.h"
 #include "study/setting_run.h"
 
 #include <fmt/format.h>
@@ -63,15 +64,13 @@ constexpr Question kQuestions[] = {
 Scene smaller(const Scene& scene) {
   Scene small = scene;
   const double pixels = static_cast<double>(scene.width) * scene.height;
-  const double scale = std::min(1.0, std::sqrt(kMostPixels / pixels));
-  small.width = std::max(1, static_cast<int>(std::lround(scene.width * scale)));
-  small.height = std::max(1, static_cast<int>(std::lround(scene.height * scale)));
+  scaleImage(small, std::min(1.0, std::sqrt(kMostPixels / pixels)));
   return small;
 }
 
 /// One setting at work.
 struct Contender {
-  std::string option; ///< empty: what there was before
+  std::string option; ///< "--path-reuse 64"
   EstimatorSettings estimator;
   std::unique_ptr<SettingRun> run;
   Film film{}; ///< at the end
@@ -116,8 +115,8 @@ class Pilot {
 public:
   Pilot(const gpu::Context& context, const Scene& scene, const PilotPlan& plan,
         const std::function<bool(const std::string&)>& observer)
-      : m_context(context), m_scene(smaller(scene)), m_plan(plan), m_observer(observer) {
-    m_result.estimator = plan.estimator;
+      : m_context(context), m_scene(smaller(scene)), m_plan(plan), m_observer(observer),
+        m_estimator(plan.estimator) {
     m_result.width = m_scene.width;
     m_result.height = m_scene.height;
   }
@@ -142,12 +141,12 @@ private:
   /// What there is, and each answer that makes another render of it.
   [[nodiscard]] std::vector<Contender> contendersFor(const Question& question) const {
     std::vector<Contender> contenders;
-    contenders.push_back({{}, m_result.estimator, {}});
-    const bool had = m_plan.effectsOf(m_result.estimator).has(question.effect);
+    contenders.push_back({"settings as they are", m_estimator, {}});
+    const bool had = m_plan.effectsOf(m_estimator).has(question.effect);
     for (const Answer& answer : question.answers) {
-      EstimatorSettings e = m_result.estimator;
+      EstimatorSettings e = m_estimator;
       answer.set(e);
-      if (e == m_result.estimator || pathReuseObstacle(e))
+      if (e == m_estimator || pathReuseObstacle(e))
         continue;
       const bool has = m_plan.effectsOf(e).has(question.effect);
       if (question.isNumber ? !had && !has : had == has)
@@ -160,8 +159,7 @@ private:
   /// False where the observer has ended it.
   bool compete(std::vector<Contender>& contenders) const {
     for (Contender& c : contenders) {
-      const std::string what = c.option.empty() ? "settings as they are" : c.option;
-      if (!m_observer("compiling: " + what))
+      if (!m_observer("compiling: " + c.option))
         return false;
       StudySetting setting;
       setting.estimator = c.estimator;
@@ -178,7 +176,7 @@ private:
           contenders, {}, [&](const Contender& c) { return isDone(c) ? HUGE_VAL : c.run->seconds(); });
       if (isDone(*next))
         break;
-      if (!m_observer(next->option.empty() ? "settings as they are" : next->option))
+      if (!m_observer(next->option))
         return false;
       next->run->step({}, {});
     }
@@ -206,7 +204,7 @@ private:
       }
     }
     if (kept > 0) {
-      m_result.estimator = contenders[kept].estimator;
+      m_estimator = contenders[kept].estimator;
       m_result.trials[first + kept - 1].kept = true;
     }
   }
@@ -215,6 +213,7 @@ private:
   Scene m_scene;
   const PilotPlan& m_plan;
   const std::function<bool(const std::string&)>& m_observer;
+  EstimatorSettings m_estimator; ///< with what was kept
   PilotResult m_result;
 };
 

@@ -29,7 +29,6 @@ struct PilotTrial {
 };
 
 struct PilotResult {
-  EstimatorSettings estimator;
   std::vector<PilotTrial> trials; ///< as they were done
   int width = 0;                  ///< of the small image
   int height = 0;
