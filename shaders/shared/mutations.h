@@ -71,6 +71,7 @@
   X(97, SplatCarryLost, "sums of splats have 32 bits")                                                       \
   X(98, RepeatsAlike, "the paths of a sample share their random numbers")                                    \
   X(99, RepeatsNotAveraged, "several paths of a sample add up")                                              \
+  X(112, AllottedUnweighted, "paths that are allotted to a side of glass count alike")                       \
   X(100, CarriedRepeatLost, "a sample that goes on in the next dispatch begins again with its first path")   \
   X(101, TreeShareDropped, "the light tree's children are as probable as each other")                        \
   X(102, TreeWeighedByPower, "light found by chance is weighed as if lights were chosen by power")           \

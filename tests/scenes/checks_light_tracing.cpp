@@ -180,8 +180,9 @@ void carriedFromLights(Trial& t) {
                           {.estimator = repeated(3, fromLights()), .width = 24, .height = 24, .frames = 16});
 }
 
-/// A half of the light is reflected by a slab, towards red, the rest goes on to green: chosen once a path.
-void repeatsAverage(Trial& t) {
+/// A slab reflects a third of the light, towards red, the rest goes on to green. The first surface's share is
+/// the number of paths that go there, behind it chance decides: once a path.
+void repeatsAreAllotted(Trial& t) {
   SceneBuilder builder;
   const auto plate = [&](double z, double h, bool up, const Material& m) {
     if (up)
@@ -189,26 +190,31 @@ void repeatsAverage(Trial& t) {
     else
       builder.quad({-h, -h, z}, {-h, h, z}, {h, h, z}, {h, -h, z}, m);
   };
-  plate(0.0, 50.0, true, glass(1.5F));
-  plate(-0.2, 50.0, false, glass(1.5F));
-  plate(9.0, 500.0, false, emitter({1.0F, 0.0F, 0.0F}));
-  plate(-9.0, 500.0, true, emitter({0.0F, 1.0F, 0.0F}));
-  builder.camera(lookAt({4.0 * std::sin(1.0), 0.0, 4.0 * std::cos(1.0)}, Vec3d(0.0), kPointFov));
-  const double r = exactFresnelDielectric(std::cos(1.0), 1.5);
+  constexpr double kAngle = 1.25;
+  plate(0.0, 80.0, true, glass(1.5F));
+  plate(-0.2, 80.0, false, glass(1.5F));
+  plate(9.0, 1000.0, false, emitter({1.0F, 0.0F, 0.0F}));
+  plate(-9.0, 1000.0, true, emitter({0.0F, 1.0F, 0.0F}));
+  builder.camera(lookAt({4.0 * std::sin(kAngle), 0.0, 4.0 * std::cos(kAngle)}, Vec3d(0.0), kPointFov));
+  const double r = exactFresnelDielectric(std::cos(kAngle), 1.5);
   const Vec3d expected(2.0 * r / (1.0 + r), (1.0 - r) / (1.0 + r), 0.0);
-  const double one = expected.x * expected.y; // variance of the choice
-  for (const std::uint32_t paths : {1U, 4U, 16U}) {
+  const double within = r / ((1.0 + r) * (1.0 + r)); // variance of the choice of a path inside the slab
+  for (const std::uint32_t paths : {1U, 2U, 4U, 16U}) {
+    const double reflected = std::max(1.0, std::round(paths * r));
+    const double variance =
+        paths == 1 ? expected.x * expected.y : (1.0 - r) * (1.0 - r) * within / (paths - reflected);
     const Film film =
         t.render(builder.build(), {.estimator = repeated(paths), .width = 64, .height = 64, .frames = 32})
             .film;
     t.expectMean(film, expected, 0.05, fmt::format("{} paths", paths));
-    t.expect(std::abs(sampleVariance(film).x * paths / one - 1.0) < 0.03,
-             fmt::format("{} paths: variance of the mean of {:.3f}", paths, one / sampleVariance(film).x));
+    t.expect(std::abs(sampleVariance(film).x / variance - 1.0) < 0.03,
+             fmt::format("{} paths: variance over the expected one {:.3f}", paths,
+                         sampleVariance(film).x / variance));
   }
 }
 
 constexpr Check kLightTracingChecks[] = {
-    {"repeatsAverage", repeatsAverage},
+    {"repeatsAreAllotted", repeatsAreAllotted},
     {"carriedFromLights", carriedFromLights},
     {"leaningMirror", leaningMirror},
     {"lightIntoGlass", lightIntoGlass},
