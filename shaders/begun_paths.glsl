@@ -66,7 +66,7 @@ void storeBegunPath(Path path, bool goesOn) {
   storeBegun(path, 3u, t.light);
   storeBegun(path, 4u, uvec4(floatBitsToUint(path.pdf_w), floatBitsToUint(path.sampleWeight), 0u, 0u));
   if (kEffectLightTree) {
-    storeBegun(path, 5u, uvec4(floatBitsToUint(path.from), 0u));
+    storeBegun(path, 5u, uvec4(floatBitsToUint(path.from), path.fromTable));
     storeBegun(path, 6u, uvec4(floatBitsToUint(path.fromNormal), 0u));
   }
 }
@@ -88,8 +88,11 @@ Path begunPath(uint slot, uint pixel, uint sampleLow) {
   path.sampleWeight = uintBitsToFloat(rest.y);
   path.from = path.ray.o;
   path.fromNormal = vec3(0.0);
+  path.fromTable = 0u;
   if (kEffectLightTree) {
-    path.from = uintBitsToFloat(loadBegun(slot, sampleLow, 5u).xyz);
+    uvec4 from = loadBegun(slot, sampleLow, 5u);
+    path.from = uintBitsToFloat(from.xyz);
+    path.fromTable = from.w;
     path.fromNormal = uintBitsToFloat(loadBegun(slot, sampleLow, 6u).xyz);
   }
   path.pixel = pixel;

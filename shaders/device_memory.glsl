@@ -13,6 +13,9 @@ layout(constant_id = 68) const uint kSampler = kSamplerIndependent; // kConstant
 layout(constant_id = 69) const bool kFromLight = false; // kConstantFromLight
 layout(constant_id = 70) const bool kByLightTree = false; // kConstantByLightTree
 layout(constant_id = 71) const uint kReuseEdge = 1u; // kConstantReuseEdge
+layout(constant_id = 73) const bool kByLightTables = false; // kConstantByLightTables
+layout(constant_id = 74) const uint kLightTableBits = 8u; // kConstantLightTableBits
+layout(constant_id = 75) const bool kBelowLightTables = true; // kConstantBelowLightTables
 
 layout(set = 0, binding = kBindingFrame, std140) uniform FrameBlock { FrameConstants frame; };
 
@@ -26,6 +29,7 @@ layout(set = 0, binding = kBindingUvs, rgba32ui) uniform readonly restrict uimag
 layout(set = 0, binding = kBindingTextures, rgba32ui) uniform readonly restrict uimageBuffer textureTexels;
 layout(set = 0, binding = kBindingEnvironment, rgba32ui) uniform readonly restrict uimageBuffer environmentTexels;
 layout(set = 0, binding = kBindingGuide, r32ui) uniform readonly restrict uimageBuffer guideNumbers;
+layout(set = 0, binding = kBindingLightGrid, r32ui) uniform readonly restrict uimageBuffer lightGridNumbers;
 
 vec4 nodeBounds(uint node, uint row) {
   return uintBitsToFloat(imageLoad(nodeTexels, int(node * kTexelsPerNode + row)));
@@ -126,15 +130,20 @@ LightNode lightNode(uint i) {
   n.below = b.w;
   return n;
 }
-uint lightNodeParent(uint i) { return imageLoad(lightNodeTexels, int(i * kTexelsPerLightNode + 2u)).x; }
+LightNodePlace lightNodePlace(uint i) {
+  uvec4 a = imageLoad(lightNodeTexels, int(i * kTexelsPerLightNode + 2u));
+  return LightNodePlace(a.x, a.y);
+}
+vec3 lightGridLower() { return frame.lightGridLower.xyz; }
+float lightGridCubesPerMetre() { return frame.lightGridLower.w; }
+uint lightGridNumber(uint i) { return imageLoad(lightGridNumbers, int(i)).x; }
 
 vec3 guideLower() { return frame.guideLower.xyz; }
 float guideCubesPerMetre() { return frame.guideLower.w; }
 uint guideGridEdge() { return frame.guideGridEdge; }
 uint guideStart(uint cube) { return imageLoad(guideNumbers, int(cube)).x; }
-GuideBin guideBin(uint histogram, uint bin) {
-  uint packed = imageLoad(guideNumbers, int(histogram + bin)).x;
-  return GuideBin(packed & 65535u, (packed >> 16u) & 255u, packed >> 24u);
+AliasBin guideBin(uint histogram, uint bin) {
+  return unpackBin(imageLoad(guideNumbers, int(histogram + bin)).x, kGuideBits);
 }
 
 uint lightCount() { return frame.lightCount; }

@@ -82,7 +82,7 @@ void savePath(Work work, Path path) {
   pathPlanes[statePlane(4u, work.slot)] = uvec4(floatBitsToUint(work.mean), floatBitsToUint(path.pdf_w));
   pathPlanes[statePlane(5u, work.slot)] = uvec4(floatBitsToUint(work.deviations), floatBitsToUint(path.sampleWeight));
   if (kEffectLightTree) {
-    pathPlanes[statePlane(vertexPlane(), work.slot)] = uvec4(floatBitsToUint(path.from), 0u);
+    pathPlanes[statePlane(vertexPlane(), work.slot)] = uvec4(floatBitsToUint(path.from), path.fromTable);
     pathPlanes[statePlane(vertexPlane() + 1u, work.slot)] = uvec4(floatBitsToUint(path.fromNormal), 0u);
   }
 }
@@ -102,8 +102,9 @@ void loadPath(inout Work work, inout Path path) {
   work.deviations = uintBitsToFloat(f.xyz);
   path.sampleWeight = uintBitsToFloat(f.w);
   if (kEffectLightTree) {
-    vec3 from = uintBitsToFloat(pathPlanes[statePlane(vertexPlane(), work.slot)].xyz);
-    path.from = MUTATE(CarriedVertexLost, from, vec3(0.0));
+    uvec4 from = pathPlanes[statePlane(vertexPlane(), work.slot)];
+    path.from = uintBitsToFloat(from.xyz);
+    path.fromTable = MUTATE(CarriedTableLost, from.w, 0u);
     path.fromNormal = uintBitsToFloat(pathPlanes[statePlane(vertexPlane() + 1u, work.slot)].xyz);
   }
 }
@@ -277,7 +278,7 @@ void main() {
         if (rays.onPath) shade(work, path, rays);
       }
       g_steps += 1u;
-      if (kEffectLightSamples || kEffectLightTree) g_steps = subgroupMaximum(g_steps); // some lanes' shading counts, too
+      if (kEffectLightSamples || (kEffectLightTree && kBelowLightTables)) g_steps = subgroupMaximum(g_steps); // some lanes' shading counts, too
       working = work.open != 0u || rays.pathOver;
       goesOn = working && g_steps < kStepBudget;
       lanes = subgroupAdd(goesOn ? 1u : 0u);

@@ -27,6 +27,7 @@ Path cameraPath(uint pixel, uint x, uint y, uint sampleLow, uint key) {
   path.otherPdf_A = 0.0;
   path.from = path.ray.o;
   path.fromNormal = Vec3(0.0);
+  path.fromTable = 0u;
   path.reuse = kReuseNone;
   path.branch = 0u;
   path.waiting = 0u;

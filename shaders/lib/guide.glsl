@@ -51,13 +51,13 @@ BsdfSample guidedSample(Surface s, Vec3 wo, UVec4 random, BsdfSample b) {
       // What is left of the number is a row of the alias table, and what chooses between its owner and its alias.
       uint bits = random.z * kGuideShareInverse;
       bin = bits >> 24u;
-      GuideBin row = guideBin(guide, bin);
+      AliasBin row = guideBin(guide, bin);
       if (MUTATE(GuideAliasIgnored, ((bits >> 16u) & 255u) >= row.threshold, false)) bin = row.alias;
       Vec2 corner = Vec2(Float(bin % kGuideEdge), Float(bin / kGuideEdge));
       g.wi = fromOctahedron((corner + Vec2(toUnit(random.x), toUnit(random.y))) * (1.0 / Float(kGuideEdge)));
     }
     Float sum = abs(g.wi.x) + abs(g.wi.y) + abs(g.wi.z); // solid angle over the square's area: 4 sum^3
-    Float pdf_w = Float(guideBin(guide, bin).units) * (Float(kGuideBins) / (4.0 * Float(kGuideUnits))) / (sum * sum * sum);
+    Float pdf_w = Float(guideBin(guide, bin).units) * (Float(kGuideBins) / (4.0 * Float(kAliasUnits))) / (sum * sum * sum);
     BsdfValue value = evaluateBsdf(s, wo, g.wi);
     Float both = mix(value.pdf_w, pdf_w, MUTATE(GuideDensityDropped, 1.0 / Float(kGuideShareInverse), 0.0));
     // By the BSDF's density light sampling weighs itself against what is met here: so must this, whatever drew it.

@@ -64,6 +64,7 @@ Path lightPath(uint pixel, uint sampleLow, uint key) {
   path.sampleWeight = 1.0;
   path.from = path.ray.o;
   path.fromNormal = Vec3(0.0);
+  path.fromTable = 0u;
   path.reuse = kReuseNone;
   return path;
 }

@@ -22,7 +22,7 @@ Float lightPdf_A(Path path, Surface s) {
   Float pdf_A = s.m.lightPdf_A;
   if (choosesByTree()) {
     bool sampled = pdf_A > 0.0 && path.pdf_w > 0.0;
-    Float probability = treeProbability(s.lightLeaf, sampled, path.from, path.fromNormal);
+    Float probability = treeProbability(s.lightLeaf, sampled, path.from, path.fromNormal, path.fromTable);
     if (sampled) pdf_A = MUTATE(TreeWeighedByPower, probability * 2.0 / s.doubleArea, pdf_A);
   }
   return pdf_A;
@@ -123,7 +123,7 @@ void gatherBackground(INOUT(Path) path) {
   if (kEffectEnvironment && path.emit) {
     EnvironmentRecord e = environmentAt(path.ray.d);
     Float probability = environmentProbability();
-    if (choosesByTree()) probability = treeProbability(environmentLeaf(), true, path.from, path.fromNormal);
+    if (choosesByTree()) probability = treeProbability(environmentLeaf(), true, path.from, path.fromNormal, path.fromTable);
     gather(path, path.history, path.beta * e.radiance * emissionWeight(path, e.pdf_w * probability));
   }
 }
@@ -217,6 +217,7 @@ bool extendPath(INOUT(Path) path, Hit hit, OUT(DirectLight) direct) {
     path.pdf_w = specular ? 0.0 : b.pdf_w;
     path.from = s.p;
     path.fromNormal = treeNormal(s);
+    if (choosesByTree() && kByLightTables) path.fromTable = lightTableAt(path.from, path.fromNormal);
     uint history = specular ? afterSpecular(path.history, dot(b.wi, s.ng) < 0.0) : afterDiffuse(path.history);
     if (kFromLight) {
       goesOn = goesOn && (specular || path.bounce > 0u); // what comes straight from a light is light sampling's

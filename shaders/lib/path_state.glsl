@@ -12,7 +12,8 @@ struct Path {
   // connected to the eye, over their number, and 0 where no path from a light leads there; of light sampling on the light.
   Float otherPdf_A;
   Vec3 from;        // of the light tree: where light sampling stood when it could have found what ray.d leads to,
-  Vec3 fromNormal;  // and the normal there
+  Vec3 fromNormal;  // and the normal there,
+  uint fromTable;   // and its table
   uint reuse;       // reuse.glsl
   uint branch;      // which branches of split vertices the path has taken, a bit each
   uint waiting;     // branches that wait

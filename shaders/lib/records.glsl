@@ -7,7 +7,7 @@ struct TriangleRecord {
   Vec3 v2;
   uint material;
   uint id; // in input order
-  uint lightLeaf; // of the light tree, if the triangle is one of its lights
+  uint lightLeaf; // of the light tree, or bin of its tables, if the triangle is one of its lights: treeProbability()
 };
 
 // A light, and the row of the alias table with the same index.
@@ -32,6 +32,12 @@ struct LightNode {
   uint below;  // the first of two children side by side, or kLightLeaf and the light
 };
 
+// Where a node stands in the light tree.
+struct LightNodePlace {
+  uint parent;
+  uint bin; // of the tables of the grid of lights, and one; 0: none chooses this node
+};
+
 // Ten bits a component, from -1 to 1.
 Vec3 lightAxis(uint packed) {
   Vec3 steps = Vec3(Float(packed & 1023u), Float((packed >> 10u) & 1023u), Float((packed >> 20u) & 1023u));
@@ -45,12 +51,19 @@ struct EnvironmentRecord {
   uint alias;
 };
 
-// A bin of a histogram of directions, and the row of its alias table with the same index.
-struct GuideBin {
-  uint units;     // the bin's share, of kGuideUnits
-  uint threshold; // the row keeps itself when a number, of 256, is below
+// One of 2^bits bins, of directions or of lights, and the row of their alias table with the same index.
+struct AliasBin {
+  uint units;     // the bin's share, of kAliasUnits
+  uint threshold; // the row keeps itself when a number, of kAliasUnits / 2^bits, is below
   uint alias;
 };
+AliasBin unpackBin(uint packed, uint bits) {
+  AliasBin bin;
+  bin.units = packed & 65535u;
+  bin.threshold = (packed >> 16u) & ((65536u >> bits) - 1u);
+  bin.alias = packed >> (32u - bits);
+  return bin;
+}
 
 struct Material {
   uint bsdf;

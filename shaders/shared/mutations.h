@@ -75,7 +75,9 @@
   X(100, CarriedRepeatLost, "a sample that goes on in the next dispatch begins again with its first path")   \
   X(101, TreeShareDropped, "the light tree's children are as probable as each other")                        \
   X(102, TreeWeighedByPower, "light found by chance is weighed as if lights were chosen by power")           \
-  X(103, CarriedVertexLost, "a path that goes on in the next dispatch has forgotten where it comes from")    \
+  X(103, CarriedTableLost, "a path that goes on in the next dispatch has forgotten where it comes from")     \
+  X(113, TableShareDropped, "the nodes that a table of lights chooses from are as probable as each other")   \
+  X(114, TableAliasIgnored, "rows of a table of lights always keep themselves")                              \
   X(104, ReuseGeometryDropped, "paths are shared without the cosine of their second vertex")                 \
   X(105, ReuseThroughWalls, "paths are shared through whatever is in between")                               \
   X(106, ReuseBlockedCounts,                                                                                 \

@@ -38,7 +38,8 @@ VKPT_CONSTANT uint kBindingLightNodes = 16u;  // texel buffer: 3 texels a node o
 VKPT_CONSTANT uint kBindingReuse = 17u;       // texel buffer: kTexelsPerSharedPath a sample and slot
 VKPT_CONSTANT uint kBindingConnections = 18u; // texel buffer of single numbers: densities of connections
 VKPT_CONSTANT uint kBindingGuide = 19u;       // texel buffer of single numbers: src/device/guide.h
-VKPT_CONSTANT uint kBindingCount = 20u;
+VKPT_CONSTANT uint kBindingLightGrid = 20u;   // texel buffer of single numbers: src/device/light_grid.h
+VKPT_CONSTANT uint kBindingCount = 21u;
 
 // --- texels a record takes ---
 VKPT_CONSTANT uint kTexelsPerNode = 8u;
@@ -52,11 +53,14 @@ VKPT_CONSTANT uint kTexelsPerSharedPath = 7u; // what a sample's path leaves for
 VKPT_CONSTANT uint kTexelsPerBegunPath = 5u;  // what it goes on with; and kVertexPlanes with a light tree
 VKPT_CONSTANT uint kPixelsPerTexel = 2u;      // of a texture: RGB in half floats
 
+// --- choices among bins by alias tables in whole numbers: src/device/alias_bins.h ---
+VKPT_CONSTANT uint kAliasUnits = 65536u; // of all bins together
+
 // --- guided directions: lib/guide.glsl ---
 VKPT_CONSTANT uint kGuideEdge = 16u; // bins of directions on a side of a square
-VKPT_CONSTANT uint kGuideBins = kGuideEdge * kGuideEdge;
-VKPT_CONSTANT uint kGuideUnits = 65536u;    // of the bins of a histogram together
-VKPT_CONSTANT uint kGuideShareInverse = 4u; // one of so many directions is the guide's
+VKPT_CONSTANT uint kGuideBits = 8u;
+VKPT_CONSTANT uint kGuideBins = kGuideEdge * kGuideEdge; // 2^kGuideBits
+VKPT_CONSTANT uint kGuideShareInverse = 4u;              // one of so many directions is the guide's
 VKPT_CONSTANT uint kGuideShareBelow = 0xFFFFFFFFu / kGuideShareInverse + 1u; // 2^32 over it
 VKPT_CONSTANT uint kNoGuide = 0xFFFFFFFFu;
 // The number of a cube of a grid with `edge` cubes along it, a multiple of 4: sixteen that lie together share
@@ -70,6 +74,13 @@ constexpr
   return (block << 4u) | ((z & 1u) << 3u) | ((y & 1u) << 2u) | (x & 3u);
 }
 
+// --- the grid of lights: lib/light_tree.glsl ---
+VKPT_CONSTANT uint kLightGridEdge = 8u; // cubes along it
+VKPT_CONSTANT uint kLightGridCubes = kLightGridEdge * kLightGridEdge * kLightGridEdge;
+VKPT_CONSTANT uint kLightGridSides = 7u; // tables of a cube: by the axis that normals lie closest to, or any
+VKPT_CONSTANT uint kAnySide = 6u;
+VKPT_CONSTANT uint kMostLightTableBits = 10u; // a table chooses from 2^10 nodes of the light tree at most
+
 // --- specialisation constants beside the effects (ids 0..63) ---
 VKPT_CONSTANT uint kConstantStackDepth = 64u;
 VKPT_CONSTANT uint kConstantRouletteMode = 65u;
@@ -80,6 +91,9 @@ VKPT_CONSTANT uint kConstantFromLight = 69u;
 VKPT_CONSTANT uint kConstantByLightTree = 70u;
 VKPT_CONSTANT uint kConstantReuseEdge = 71u; // of a square of pixels that share paths; 1: none do
 VKPT_CONSTANT uint kConstantShareStep = 72u; // of share_paths.comp
+VKPT_CONSTANT uint kConstantByLightTables = 73u;
+VKPT_CONSTANT uint kConstantLightTableBits = 74u;
+VKPT_CONSTANT uint kConstantBelowLightTables = 75u;
 
 VKPT_CONSTANT uint kStepConnect = 0u;
 VKPT_CONSTANT uint kStepBalance = 1u;
@@ -252,6 +266,7 @@ struct FrameConstants {
   uint environmentLeaf;   // of the light tree
   uint guideGridEdge;     // cubes along it; 0: nothing was learned
   float sharedEyePdf_A;   // in place of the eye's density at the first vertex, where paths are shared
+  vec4 lightGridLower;    // corner of the grid of lights; w: cubes per metre, 0: there is none
   vec4 guideLower;        // corner of the grid of guided directions; w: cubes per metre
   vec4 specularLower[kSpecularBoxes]; // a box more than there are lies far away
   vec4 specularUpper[kSpecularBoxes];

@@ -139,6 +139,8 @@ shared::FrameConstants frameConstants(const Scene& scene, const LightChoice& lig
   c.seed = seed;
   c.lightCount = lights.count;
   c.environmentProbability = lights.environmentProbability;
+  c.lightGridLower = toVec4(Vec3d(lights.grid.lower));
+  c.lightGridLower.w = lights.grid.cubesPerMetre;
   c.guideLower = toVec4(Vec3d(lights.guide.lower));
   c.guideLower.w = lights.guide.cubesPerMetre;
   c.guideGridEdge = lights.guide.edge;

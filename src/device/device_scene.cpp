@@ -17,6 +17,9 @@ DeviceScene uploadScene(const gpu::Context& context, const PackedScene& packed) 
   scene.environment = gpu::TexelBuffer(context, "environment", std::as_bytes(std::span{packed.environment}));
   scene.guide = gpu::TexelBuffer(context, "guide", packed.guide.size(), vk::Format::eR32Uint);
   scene.guide.buffer().write(context, std::as_bytes(std::span{packed.guide}));
+  scene.lightGrid =
+      gpu::TexelBuffer(context, "grid of lights", packed.lightGrid.size(), vk::Format::eR32Uint);
+  scene.lightGrid.buffer().write(context, std::as_bytes(std::span{packed.lightGrid}));
   scene.lightChoice = packed.lightChoice;
   scene.stackDepth = packed.bvh.depth + 1U;
   return scene;
@@ -33,6 +36,7 @@ void bindScene(const gpu::Context& context, const gpu::BindingSet& bindings, con
   bindings.bind(context, shared::kBindingTextures, scene.textures);
   bindings.bind(context, shared::kBindingEnvironment, scene.environment);
   bindings.bind(context, shared::kBindingGuide, scene.guide);
+  bindings.bind(context, shared::kBindingLightGrid, scene.lightGrid);
 }
 
 gpu::SpecialisationMap kernelConstants(const DeviceScene& scene, const Scene& source,
@@ -43,6 +47,9 @@ gpu::SpecialisationMap kernelConstants(const DeviceScene& scene, const Scene& so
   constants[shared::kConstantStackDepth] = scene.stackDepth;
   constants[shared::kConstantRouletteMode] = static_cast<std::uint32_t>(estimator.roulette);
   constants[shared::kConstantByLightTree] = scene.lightChoice.byTree ? 1U : 0U;
+  constants[shared::kConstantByLightTables] = scene.lightChoice.byTables ? 1U : 0U;
+  constants[shared::kConstantLightTableBits] = scene.lightChoice.tableBits;
+  constants[shared::kConstantBelowLightTables] = scene.lightChoice.belowTables ? 1U : 0U;
   constants[shared::kConstantReuseEdge] = estimator.reuseEdge();
   constants[shared::kConstantSampler] = static_cast<std::uint32_t>(estimator.sampler);
   constants[shared::kConstantFilterShape] = static_cast<std::uint32_t>(source.filter.shape);
@@ -51,7 +58,8 @@ gpu::SpecialisationMap kernelConstants(const DeviceScene& scene, const Scene& so
 
 std::uint64_t DeviceScene::bytes() const {
   return nodes.bytes() + triangles.bytes() + normals.bytes() + materials.bytes() + lights.bytes() +
-         lightNodes.bytes() + uvs.bytes() + textures.bytes() + environment.bytes() + guide.bytes();
+         lightNodes.bytes() + uvs.bytes() + textures.bytes() + environment.bytes() + guide.bytes() +
+         lightGrid.bytes();
 }
 
 } // namespace vkpt

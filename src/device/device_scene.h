@@ -18,6 +18,7 @@ struct DeviceScene {
   gpu::TexelBuffer textures;
   gpu::TexelBuffer environment;
   gpu::TexelBuffer guide;
+  gpu::TexelBuffer lightGrid;
   LightChoice lightChoice;
   std::uint32_t stackDepth = 0; ///< entries a traversal needs: shaders/lib/stack.glsl
   [[nodiscard]] std::uint64_t bytes() const;

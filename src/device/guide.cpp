@@ -1,76 +1,23 @@
 #include "device/guide.h"
 
+#include "device/alias_bins.h"
+
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <map>
-#include <numeric>
 
 namespace vkpt {
 namespace {
 
-using shared::kGuideBins;
-using shared::kGuideUnits;
 constexpr std::uint32_t kCoarsestEdge = 16; ///< cubes along a grid
 constexpr std::uint32_t kFinestEdge = 64;
-constexpr std::uint32_t kEnoughPhotons = 64;                  ///< that a cube of a finer grid takes
-constexpr std::uint32_t kRowUnits = kGuideUnits / kGuideBins; ///< of a row of an alias table
-constexpr std::uint32_t kMostUnits = kGuideUnits - 1;         ///< of a bin
+constexpr std::uint32_t kEnoughPhotons = 64; ///< that a cube of a finer grid takes
+static_assert(shared::kGuideBins == 1U << shared::kGuideBits);
 
-using Histogram = std::array<double, kGuideBins>;
-using Units = std::array<std::uint32_t, kGuideBins>;
-
-/// Whole shares in proportion to the weights, kGuideUnits together; 16 bits hold each.
-Units apportion(const Histogram& weights) {
-  const double sum = std::accumulate(weights.begin(), weights.end(), 0.0);
-  Units units{};
-  std::array<std::pair<double, std::uint32_t>, kGuideBins> rest;
-  std::uint32_t given = 0;
-  for (std::uint32_t i = 0; i < kGuideBins; ++i) {
-    const double exact = weights[i] / sum * kGuideUnits;
-    units[i] = std::min(static_cast<std::uint32_t>(exact), kMostUnits);
-    rest[i] = {units[i] - exact, i};
-    given += units[i];
-  }
-  std::ranges::sort(rest); // those that lack the most first
-  for (std::uint32_t i = 0; given < kGuideUnits; ++i) {
-    std::uint32_t& unit = units[rest[i % kGuideBins].second];
-    if (unit < kMostUnits) {
-      ++unit;
-      ++given;
-    }
-  }
-  return units;
-}
-
-/// With their rows of the table: Vose 1991, in whole numbers.
-void appendBins(const Units& units, std::vector<std::uint32_t>& out) {
-  Units left = units;
-  Units alias{};
-  Units threshold{};
-  std::vector<std::uint32_t> below, above;
-  for (std::uint32_t i = 0; i < kGuideBins; ++i)
-    (units[i] < kRowUnits ? below : above).push_back(i);
-  while (!below.empty()) {
-    const std::uint32_t row = below.back();
-    const std::uint32_t giver = above.back(); // there is one: all rows are filled together
-    below.pop_back();
-    threshold[row] = left[row];
-    alias[row] = giver;
-    left[giver] -= kRowUnits - left[row];
-    if (left[giver] < kRowUnits) {
-      above.pop_back();
-      below.push_back(giver);
-    }
-  }
-  for (const std::uint32_t full : above)
-    alias[full] = full;
-  for (std::uint32_t i = 0; i < kGuideBins; ++i)
-    out.push_back(units[i] | (threshold[i] << 16U) | (alias[i] << 24U));
-}
+using Histogram = std::array<double, shared::kGuideBins>;
 
 /// The finest, about all photons.
-GuideGrid gridAbout(std::span<const Photon> photons) {
+CubeGrid gridAbout(std::span<const Photon> photons) {
   Box3d box;
   for (const Photon& p : photons)
     box.extend(Vec3d(p.p));
@@ -82,7 +29,7 @@ GuideGrid gridAbout(std::span<const Photon> photons) {
 
 /// visit(cube), by number, x fastest, for the eight cubes nearest to a point; those outside are left out.
 template<class Visit>
-void eachNear(const GuideGrid& grid, const Vec3f& p, const Visit& visit) {
+void eachNear(const CubeGrid& grid, const Vec3f& p, const Visit& visit) {
   const auto edge = static_cast<float>(grid.edge);
   const Vec3f q = (p - grid.lower) * grid.cubesPerMetre;
   for (std::uint32_t corner = 0; corner < 8; ++corner) {
@@ -94,7 +41,7 @@ void eachNear(const GuideGrid& grid, const Vec3f& p, const Visit& visit) {
 }
 
 /// By cube; of those with at least so many photons, since a histogram takes 2 KB.
-std::map<std::uint32_t, Histogram> histogramsIn(const GuideGrid& grid, std::span<const Photon> photons,
+std::map<std::uint32_t, Histogram> histogramsIn(const CubeGrid& grid, std::span<const Photon> photons,
                                                 std::uint32_t least) {
   std::map<std::uint32_t, std::uint32_t> count;
   for (const Photon& photon : photons)
@@ -130,12 +77,12 @@ Guide makeGuide(std::span<const Photon> photons) {
   guide.grid = gridAbout(photons);
   guide.numbers.assign(std::size_t{kFinestEdge} * kFinestEdge * kFinestEdge, shared::kNoGuide);
   for (std::uint32_t edge = kCoarsestEdge; edge <= kFinestEdge; edge *= 2) {
-    const GuideGrid grid{guide.grid.lower, guide.grid.cubesPerMetre / static_cast<float>(kFinestEdge / edge),
-                         edge};
+    const CubeGrid grid{guide.grid.lower, guide.grid.cubesPerMetre / static_cast<float>(kFinestEdge / edge),
+                        edge};
     const std::uint32_t least = edge == kCoarsestEdge ? 1 : kEnoughPhotons;
     for (const auto& [cube, histogram] : histogramsIn(grid, photons, least)) {
       fill(guide.numbers, edge, cube, static_cast<std::uint32_t>(guide.numbers.size()));
-      appendBins(apportion(histogram), guide.numbers);
+      appendAliasBins(histogram, guide.numbers);
     }
   }
   return guide;

@@ -16,9 +16,9 @@ struct Photon {
 };
 
 struct Guide {
-  GuideGrid grid;
+  CubeGrid grid;
   /// For every cube, in the order of guideCube(), where its histogram begins, or kNoGuide; then the
-  /// histograms, a number a bin: its share of kGuideUnits (16 bits), threshold and alias of the alias table's
+  /// histograms, a number a bin: its share of kAliasUnits (16 bits), threshold and alias of the alias table's
   /// row (8 each). Shares are what the table draws to the last unit.
   std::vector<std::uint32_t> numbers =
       std::vector<std::uint32_t>(4, shared::kNoGuide); // no buffer is smaller

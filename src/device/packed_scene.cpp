@@ -3,6 +3,7 @@
 #include "device/effective_material.h"
 #include "device/light_table.h"
 #include "device/light_tree.h"
+#include "device/packed_light_node.h"
 #include "shared/structs.h"
 
 #include <algorithm>
@@ -131,24 +132,12 @@ void packLights(const Scene& scene, const LightTable& table, PackedScene& packed
     packLight(scene, table.lights[i], table.rows[i], position, packed.lights);
 }
 
-void packLightNode(const LightTreeNode& node, double smallestRadius, std::vector<Texel>& out) {
-  const LightBounds& b = node.bounds;
-  const double radius = std::max(0.5 * glm::length(b.box.extent()), smallestRadius);
-  const auto bits = [](double x) { return std::bit_cast<std::uint32_t>(static_cast<float>(x)); };
-  std::uint32_t axis = 0; // ten bits a component: shaders/lib/records.glsl
-  for (int i = 0; i < 3; ++i)
-    axis |= static_cast<std::uint32_t>(std::lround(511.0 * b.axis[i]) + 511) << (10 * i);
-  out.push_back(texel(Vec3f(b.box.centre()), static_cast<float>(radius)));
-  out.push_back({axis, bits(b.cosSpread), bits(b.power), node.below | (node.leaf ? shared::kLightLeaf : 0U)});
-  out.push_back({node.parent, 0U, 0U, 0U});
-}
-
 /// After the triangles, which learn of their leaves.
 void packLightTree(const Scene& scene, const LightTable& table, PackedScene& packed) {
   const LightTree tree = makeLightTree(scene, table);
   for (const LightTreeNode& node : tree.nodes)
     packLightNode(node, tree.smallestRadius, packed.lightNodes);
-  for (std::size_t i = 0; i < table.lights.size(); ++i) {
+  for (std::uint32_t i = 0; i < table.lights.size(); ++i) {
     const std::uint32_t what = packed.lights[i * shared::kTexelsPerLight + 3][3];
     if (what == shared::kLightEnvironment)
       packed.lightChoice.environmentLeaf = tree.leafOfLight[i];
@@ -239,6 +228,7 @@ void fillEmpty(PackedScene& packed) {
   fill(packed.textures, 1);
   fill(packed.environment, shared::kTexelsPerEnvironmentTexel);
   fill(packed.guide, sizeof(Texel) / sizeof(std::uint32_t)); // single numbers
+  fill(packed.lightGrid, sizeof(Texel) / sizeof(std::uint32_t));
 }
 
 } // namespace
@@ -257,12 +247,9 @@ PackedScene packScene(const Scene& scene, const EstimatorSettings& estimator, co
   const LightTable lights = makeLightTable(scene, estimator.light);
   const std::vector<Material> materials = effectiveMaterials(scene);
   packMaterials(scene, materials, lights, packed);
-  packed.lightChoice = {static_cast<std::uint32_t>(lights.lights.size()),
-                        static_cast<float>(lights.environmentProbability()),
-                        false,
-                        0,
-                        lights.totalPower,
-                        {}};
+  packed.lightChoice.count = static_cast<std::uint32_t>(lights.lights.size());
+  packed.lightChoice.environmentProbability = static_cast<float>(lights.environmentProbability());
+  packed.lightChoice.totalPower = lights.totalPower;
   if (effects.has(Effect::LightSampling))
     packLights(scene, lights, packed);
   packed.lightChoice.byTree = effects.has(Effect::LightSampling) && effects.has(Effect::LightTree) &&

@@ -12,21 +12,25 @@ namespace vkpt {
 
 using Texel = std::array<std::uint32_t, 4>;
 
-/// Cubes of space, by which directions are guided: device/guide.h.
-struct GuideGrid {
+/// Cubes of space, by which directions are guided (device/guide.h) and lights chosen (device/light_grid.h).
+struct CubeGrid {
   Vec3f lower{0.0F}; ///< corner, in local coordinates
   float cubesPerMetre = 0.0F;
-  std::uint32_t edge = 0; ///< cubes along it; 0: nothing was learned
+  std::uint32_t edge = 0; ///< cubes along it; 0: there is none
 };
 
 /// What light sampling chooses from.
 struct LightChoice {
   std::uint32_t count = 0;
   float environmentProbability = 0.0F;
-  bool byTree = false;               ///< else by power
-  std::uint32_t environmentLeaf = 0; ///< of the light tree
+  bool byTree = false;         ///< else by power
+  bool byTables = false;       ///< of the grid of lights, from the tree's root down
+  bool belowTables = true;     ///< by the tree from there on: some of their bins stand for several lights
+  std::uint32_t tableBits = 8; ///< a table has 2^tableBits bins
+  std::uint32_t environmentLeaf = 0; ///< of the light tree, or its bin: as TriangleRecord::lightLeaf
   double totalPower = 0.0;           ///< as LightTable's
-  GuideGrid guide;
+  CubeGrid guide;
+  CubeGrid grid; ///< of lights
 };
 
 /// The scene in the device's layout (shaders/lib/records.glsl), in host memory: what is uploaded, and what
@@ -37,11 +41,12 @@ struct PackedScene {
   std::vector<Texel> normals;   ///< the same
   std::vector<Texel> materials;
   std::vector<Texel> lights;
-  std::vector<Texel> lightNodes;    ///< of the light tree: kTexelsPerLightNode each
-  std::vector<Texel> uvs;           ///< kTexelsPerUv a triangle, in BVH order
-  std::vector<Texel> textures;      ///< one for each texture, then their pixels in half floats
-  std::vector<Texel> environment;   ///< kTexelsPerEnvironmentTexel for each of the map's
-  std::vector<std::uint32_t> guide; ///< device/guide.h
+  std::vector<Texel> lightNodes;        ///< of the light tree: kTexelsPerLightNode each
+  std::vector<Texel> uvs;               ///< kTexelsPerUv a triangle, in BVH order
+  std::vector<Texel> textures;          ///< one for each texture, then their pixels in half floats
+  std::vector<Texel> environment;       ///< kTexelsPerEnvironmentTexel for each of the map's
+  std::vector<std::uint32_t> guide;     ///< device/guide.h
+  std::vector<std::uint32_t> lightGrid; ///< device/light_grid.h
   LightChoice lightChoice;
   std::size_t leftOut = 0; ///< triangles whose material is nothing
 };

@@ -25,6 +25,7 @@ enum Op : Word {
   kFunction = 54,
   kDecorate = 71,
   kIAdd = 128,
+  kISub = 130,
   kIMul = 132,
   kLogicalOr = 166,
   kLogicalAnd = 167,
@@ -33,6 +34,7 @@ enum Op : Word {
   kIEqual = 170,
   kUGreaterThan = 172,
   kULessThan = 176,
+  kShiftRightLogical = 194,
 };
 constexpr std::size_t kHeaderWords = 5;
 constexpr Word kDecorationSpecId = 1;
@@ -114,6 +116,8 @@ private:
     switch (op) {
     case kIAdd:
       return v[0] + v[1];
+    case kISub:
+      return v[0] - v[1];
     case kIMul:
       return v[0] * v[1];
     case kLogicalOr:
@@ -130,6 +134,8 @@ private:
       return v[0] > v[1];
     case kULessThan:
       return v[0] < v[1];
+    case kShiftRightLogical:
+      return v[1] < 32 ? v[0] >> v[1] : 0; // further ones have no defined value
     default:
       return std::nullopt;
     }

@@ -2,8 +2,11 @@
 
 #include "accel/workers.h"
 #include "device/guide.h"
+#include "device/light_grid.h"
 #include "device/light_tracing.h"
 #include "host/program32.h"
+
+#include <memory>
 
 namespace vkpt {
 namespace {
@@ -34,10 +37,30 @@ void learnGuide(PackedScene& scene, const Scene& source, const EffectSet& effect
   scene.guide = std::move(guide.numbers);
 }
 
+void learnLights(PackedScene& scene, const Scene& source, const EffectSet& effects,
+                 const EstimatorSettings& estimator, unsigned threads) {
+  // Each thread has its own, which its functions share.
+  const auto functions = [&] {
+    const auto make = [&] { return host32::makeProgram(scene, source, effects, {estimator, 1, 1, 0}); };
+    const auto program = std::make_shared<decltype(make())>(make());
+    return LightGridFunctions{[program](std::uint32_t node, const Vec3f& p, const Vec3f& n) {
+                                return program->lightImportance(program->lightNode(node), p, n);
+                              },
+                              [program](const Vec3f& n) { return program->lightGridSide(n); }};
+  };
+  makeLightGrid(scene, source, functions, threads);
+}
+
+void learnScene(PackedScene& scene, const Scene& source, const EffectSet& effects,
+                const EstimatorSettings& estimator, unsigned threads) {
+  learnLights(scene, source, effects, estimator, threads);
+  learnGuide(scene, source, effects, estimator, threads);
+}
+
 PackedScene packGuided(const Scene& scene, const EstimatorSettings& estimator, const EffectSet& effects,
                        unsigned threads) {
   PackedScene packed = packScene(scene, estimator, effects, threads);
-  learnGuide(packed, scene, effects, estimator, threads);
+  learnScene(packed, scene, effects, estimator, threads);
   return packed;
 }
 

@@ -12,7 +12,16 @@ namespace vkpt {
 void learnGuide(PackedScene& scene, const Scene& source, const EffectSet& effects,
                 const EstimatorSettings& estimator, unsigned threads = 0);
 
-/// packScene(), and the guide.
+/// Which lights matter where: the scene's grid of lights (device/light_grid.h), by the host's float program.
+/// threads: as above.
+void learnLights(PackedScene& scene, const Scene& source, const EffectSet& effects,
+                 const EstimatorSettings& estimator, unsigned threads = 0);
+
+/// Both.
+void learnScene(PackedScene& scene, const Scene& source, const EffectSet& effects,
+                const EstimatorSettings& estimator, unsigned threads = 0);
+
+/// packScene(), and what is learned.
 PackedScene packGuided(const Scene& scene, const EstimatorSettings& estimator, const EffectSet& effects,
                        unsigned threads = 0);
 

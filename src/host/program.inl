@@ -25,7 +25,8 @@ public:
         VKPT_EFFECTS(VKPT_INITIALISE_EFFECT)
 #undef VKPT_INITIALISE_EFFECT
             kRouletteMode(static_cast<uint>(roulette)),
-        kByLightTree(scene.lightChoice.byTree), kSampler(static_cast<uint>(sampler)), kFilterShape(static_cast<uint>(filter)), kReuseEdge(reuseEdge), m_scene(&scene),
+        kByLightTree(scene.lightChoice.byTree), kByLightTables(scene.lightChoice.byTables), kLightTableBits(scene.lightChoice.tableBits),
+        kBelowLightTables(scene.lightChoice.belowTables), kSampler(static_cast<uint>(sampler)), kFilterShape(static_cast<uint>(filter)), kReuseEdge(reuseEdge), m_scene(&scene),
         m_frame(frame) {
     if (scene.bvh.depth >= kMaxStackDepth)
       throw std::length_error("the BVH is too deep for the traversal's stack");
@@ -37,6 +38,9 @@ public:
 #undef VKPT_DECLARE_EFFECT
   uint kRouletteMode;
   bool kByLightTree;
+  bool kByLightTables;
+  uint kLightTableBits;
+  bool kBelowLightTables;
   uint kSampler;
   uint kFilterShape;
   uint kReuseEdge;
@@ -131,15 +135,18 @@ public:
     n.below = t[1][3];
     return n;
   }
-  uint lightNodeParent(uint i) const { return m_scene->lightNodes[std::size_t{i} * kTexelsPerLightNode + 2][0]; }
+  LightNodePlace lightNodePlace(uint i) const {
+    const Texel& t = m_scene->lightNodes[std::size_t{i} * kTexelsPerLightNode + 2];
+    return {t[0], t[1]};
+  }
+  Vec3 lightGridLower() const { return vector(m_frame.lightGridLower); }
+  Float lightGridCubesPerMetre() const { return m_frame.lightGridLower.w; }
+  uint lightGridNumber(uint i) const { return m_scene->lightGrid[i]; }
   Vec3 guideLower() const { return vector(m_frame.guideLower); }
   Float guideCubesPerMetre() const { return m_frame.guideLower.w; }
   uint guideGridEdge() const { return m_frame.guideGridEdge; }
   uint guideStart(uint cube) const { return m_scene->guide[cube]; }
-  GuideBin guideBin(uint histogram, uint bin) const {
-    const uint packed = m_scene->guide[std::size_t{histogram} + bin];
-    return {packed & 65535U, (packed >> 16U) & 255U, packed >> 24U};
-  }
+  AliasBin guideBin(uint histogram, uint bin) { return unpackBin(m_scene->guide[std::size_t{histogram} + bin], kGuideBits); }
   uint lightCount() const { return m_frame.lightCount; }
   uint maxBounces() const { return m_frame.maxBounces; }
   uint rouletteAfter() const { return m_frame.rouletteAfter; }

@@ -31,6 +31,7 @@ constexpr auto kLayout = std::to_array<gpu::BindingLayout>({
     {kBindingTextures, DescriptorType::eStorageTexelBuffer},
     {kBindingEnvironment, DescriptorType::eStorageTexelBuffer},
     {kBindingGuide, DescriptorType::eStorageTexelBuffer},
+    {kBindingLightGrid, DescriptorType::eStorageTexelBuffer},
     {kBindingKinds, DescriptorType::eStorageBuffer, kKindCount},
     {kBindingReplicates, DescriptorType::eStorageTexelBuffer, 3},
     {kBindingSplats, DescriptorType::eStorageTexelBuffer},

@@ -94,6 +94,7 @@ MemoryPlan planMemory(const gpu::Context& context, const PackedScene& packed, co
   texels("textures", sizeOf(packed.textures));
   texels("environment", sizeOf(packed.environment));
   numbers("guided directions", sizeOf(packed.guide));
+  numbers("grid of lights", sizeOf(packed.lightGrid));
   const std::uint64_t pixels = pixelsOf(width, height);
   const std::uint32_t slots = slotsFor(width, height, tileBlocks);
   constexpr std::uint64_t kSmallestBuffer = 16;
@@ -135,7 +136,8 @@ std::uint64_t effectBytes(Effect effect, const PackedScene& packed, const Effect
   case Effect::Splitting:
     return pathStateBytes(slots, estimator.splitDepth, false) - pathStateBytes(slots, 0, false);
   case Effect::LightTree:
-    return sizeOf(packed.lightNodes) + pathStateBytes(slots, 0, true) - pathStateBytes(slots, 0, false);
+    return sizeOf(packed.lightNodes) + sizeOf(packed.lightGrid) + pathStateBytes(slots, 0, true) -
+           pathStateBytes(slots, 0, false);
   case Effect::PathReuse: {
     const SharedBytes shared = sharedBytes(slots, effects, estimator);
     return shared.paths + shared.connections;

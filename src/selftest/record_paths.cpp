@@ -29,6 +29,7 @@ constexpr auto kLayout = std::to_array<gpu::BindingLayout>({
     {kBindingTextures, DescriptorType::eStorageTexelBuffer},
     {kBindingEnvironment, DescriptorType::eStorageTexelBuffer},
     {kBindingGuide, DescriptorType::eStorageTexelBuffer},
+    {kBindingLightGrid, DescriptorType::eStorageTexelBuffer},
     {kBindingKinds, DescriptorType::eStorageBuffer, kKindCount},
     {kBindingSplats, DescriptorType::eStorageTexelBuffer},
     {kBindingRecords, DescriptorType::eStorageBuffer},

@@ -1,5 +1,6 @@
 #include "bench_scene.h"
 
+#include "host/learn_guide.h"
 #include "yardstick.h"
 
 #include <fmt/format.h>
@@ -24,7 +25,8 @@ DeviceBench::DeviceBench(const gpu::Context& context, std::string name, Scene sc
     : m_context(context), m_name(std::move(name)),
       m_scene(std::move(scene)), m_settings{{}, m_scene.width, m_scene.height, 0},
       m_effects(detectEffects(m_scene, m_settings.estimator)),
-      m_packed(packScene(m_scene, m_settings.estimator)), m_deviceScene(uploadScene(context, m_packed)),
+      m_packed(packGuided(m_scene, m_settings.estimator, m_effects)),
+      m_deviceScene(uploadScene(context, m_packed)),
       m_integrator(context, m_deviceScene, m_scene, m_effects,
                    {m_settings.estimator, m_scene.width, m_scene.height, m_settings.seed, {}, {}}) {
   m_integrator.warmUp();

@@ -30,7 +30,7 @@ OracleValue Oracle::evaluate(const View& view, const Vec3d& wi) const {
 }
 
 double Oracle::treeProbability(std::uint32_t leaf, const Vec3d& p, const Vec3d& n) const {
-  return m_library->program.treeProbability(leaf, true, p, n);
+  return m_library->program.treeProbability(leaf, true, p, n, m_library->program.lightTableAt(p, n));
 }
 
 } // namespace vkpt::test

@@ -2,6 +2,7 @@
 
 #include "bsdf/probe_shaders.h"
 #include "device/camera_frame.h"
+#include "host/learn_guide.h"
 #include "scenes/test_shaders.h"
 
 namespace vkpt::test {
@@ -23,6 +24,7 @@ constexpr auto kLayout = std::to_array<gpu::BindingLayout>({
     {kBindingLightNodes, DescriptorType::eStorageTexelBuffer},
     {kBindingEnvironment, DescriptorType::eStorageTexelBuffer},
     {kBindingGuide, DescriptorType::eStorageTexelBuffer},
+    {kBindingLightGrid, DescriptorType::eStorageTexelBuffer},
     {kBindingQuery, DescriptorType::eStorageBuffer},
     {kBindingAnswers, DescriptorType::eStorageBuffer},
 });
@@ -36,7 +38,7 @@ std::array<float, 4> row(const Vec3f& v, float w) { return {v.x, v.y, v.z, w}; }
 } // namespace
 
 Probe::Probe(const Scene& scene, const EffectSet& effects, std::uint32_t mutation)
-    : m_packed(packScene(scene, estimatorFor(effects), effects, 1)),
+    : m_packed(packGuided(scene, estimatorFor(effects), effects, 1)),
       m_constants(frameConstants(scene, m_packed.lightChoice, {}, scene.width, scene.height, 0)),
       m_scene(uploadScene(sharedContext(), m_packed)), m_bindings(sharedContext(), kLayout, sizeof(Dispatch)),
       m_frame(sharedContext(), "frame constants", sizeof(FrameConstants),
@@ -50,9 +52,13 @@ Probe::Probe(const Scene& scene, const EffectSet& effects, std::uint32_t mutatio
   m_bindings.bind(context, kBindingLightNodes, m_scene.lightNodes);
   m_bindings.bind(context, kBindingEnvironment, m_scene.environment);
   m_bindings.bind(context, kBindingGuide, m_scene.guide);
+  m_bindings.bind(context, kBindingLightGrid, m_scene.lightGrid);
   for (const EffectInfo& e : allEffects())
     m_specialisation[static_cast<std::uint32_t>(e.effect)] = effects.has(e.effect) ? 1U : 0U;
   m_specialisation[kConstantByLightTree] = m_packed.lightChoice.byTree ? 1U : 0U;
+  m_specialisation[kConstantByLightTables] = m_packed.lightChoice.byTables ? 1U : 0U;
+  m_specialisation[kConstantLightTableBits] = m_packed.lightChoice.tableBits;
+  m_specialisation[kConstantBelowLightTables] = m_packed.lightChoice.belowTables ? 1U : 0U;
   m_specialisation[kConstantFilterShape] = static_cast<std::uint32_t>(scene.filter.shape);
   if (mutation != 0)
     m_specialisation.merge(mutatedKernel(mutation).constants());

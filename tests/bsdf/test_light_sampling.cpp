@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -83,9 +84,10 @@ EnvironmentMap map(int width, int height) {
   return m;
 }
 
-/// Nine triangles and one of each other kind of light.
+/// Nine triangles and one of each other kind of light, below a ceiling.
 Scene twelveLights() {
   SceneBuilder builder;
+  builder.ceiling({12, 12, 0}, 20, diffuse(Vec3f(0.5F)));
   for (int i = 0; i < 9; ++i) {
     const double size = 0.2 + 0.3 * i;
     builder.triangle({3.0 * i, 0, 0}, {3.0 * i, 0, size}, {3.0 * i + 1, 0, 0},
@@ -140,32 +142,61 @@ TEST_F(Sampling, LightsAreChosenInProportionToTheirPower) {
   expectLikely(chiSquare(countedLights(table, probe.packed(), draws), expected), "lights");
 }
 
-/// As often as weights count on, which find the way back up by themselves; seen from one side, from both,
-/// from among the lights.
-TEST_F(Sampling, LightsAreChosenByTheTreeAsItsProbabilitiesSay) {
-  const Scene scene = twelveLights();
+struct Place {
+  Vec3f p, n;
+};
+
+/// As often as weights count on.
+void expectChosenByTheTree(const Scene& scene, std::span<const Place> places, bool belowTables,
+                           std::uint32_t seed) {
   EffectSet effects = kAllLights;
   effects.set(Effect::LightTree);
   Probe probe(scene, effects);
   const Oracle oracle(probe.packed(), probe.constants(), effects);
+  ASSERT_TRUE(probe.packed().lightChoice.byTables);
+  ASSERT_EQ(probe.packed().lightChoice.belowTables, belowTables);
   const LightTable table = makeLightTable(scene, LightStrategy::Mis);
   const LightTree tree = makeLightTree(scene, table);
-  struct Place {
-    Vec3f p, n;
-  };
-  for (const Place& place : {Place{Vec3f(1, 3, 1), Vec3f(0, -1, 0)}, Place{Vec3f(1, 3, 1), Vec3f(0.0F)},
-                             Place{Vec3f(12, 0.01F, 0.1F), Vec3f(0, 1, 0)}}) {
+  for (const Place& place : places) {
     std::vector<double> expected;
     double sum = 0.0;
-    for (const std::uint32_t leaf : tree.leafOfLight) {
+    for (std::uint32_t i = 0; i < table.lights.size(); ++i) {
+      const std::uint32_t leaf = belowTables ? tree.leafOfLight[i] : i;
       const double probability = oracle.treeProbability(leaf, Vec3d(place.p), Vec3d(place.n));
       sum += probability;
       expected.push_back(probability * kLightDraws);
     }
     EXPECT_NEAR(sum, 1.0, 1e-12);
-    const auto draws = probe.sampleLight(place.p, kLightDraws, seed(), place.n);
+    const auto draws = probe.sampleLight(place.p, kLightDraws, seed, place.n);
     expectLikely(chiSquare(countedLights(table, probe.packed(), draws), expected), "lights by the tree");
   }
+}
+
+/// Seen from one side, from both, from among the lights; where the grid has tables, between its surfaces and
+/// outside of it.
+TEST_F(Sampling, LightsAreChosenByTheTreeAsItsProbabilitiesSay) {
+  expectChosenByTheTree(twelveLights(),
+                        std::array{Place{Vec3f(1, 3, 1), Vec3f(0, -1, 0)}, Place{Vec3f(1, 3, 1), Vec3f(0.0F)},
+                                   Place{Vec3f(12, 0.01F, 0.1F), Vec3f(0, 1, 0)},
+                                   Place{Vec3f(12, 0.01F, 0.1F), Vec3f(0.0F)},
+                                   Place{Vec3f(12, -900, 0.1F), Vec3f(0, 1, 0)}},
+                        false, seed());
+}
+
+/// More than a table has bins: the way back up ends at its nodes.
+TEST_F(Sampling, ManyLightsAreChosenByTableAndTree) {
+  SceneBuilder builder;
+  for (int i = 0; i < 1500; ++i) {
+    const double size = 0.2 + 0.1 * (i % 9);
+    builder.triangle({2.0 * (i % 40), 0, 2.0 * (i / 40)}, {2.0 * (i % 40), 0, 2.0 * (i / 40) + size},
+                     {2.0 * (i % 40) + 1, 0, 2.0 * (i / 40)},
+                     emitter(Vec3f(static_cast<float>(1 + (i * 5) % 7))));
+  }
+  const Scene scene = builder.build();
+  expectChosenByTheTree(scene,
+                        std::array{Place{Vec3f(11.3F, 0.01F, 12.1F), Vec3f(0, 1, 0)},
+                                   Place{Vec3f(11.3F, 30, 12.1F), Vec3f(0, -1, 0)}},
+                        true, seed());
 }
 
 /// Four cells to a texel, equal in solid angle.

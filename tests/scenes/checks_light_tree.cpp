@@ -1,4 +1,5 @@
-// Lights chosen by the tree: the image stays what it is, and noise goes where lights are far apart.
+// Lights chosen by the tree and the tables of its nodes: the image stays what it is, and noise goes where
+// lights are far apart.
 #include "scenes/scene_extras.h"
 #include "scenes/statistics.h"
 
@@ -15,15 +16,16 @@ EstimatorSettings byTree(EstimatorSettings settings = misSampling()) {
 }
 
 /// A room with lamps of very different size and brightness that look all ways, and a block between them.
-Scene lampsAllAround() {
+/// scale: of the lamps' size.
+Scene lampsAllAround(int count, double scale) {
   SceneBuilder builder;
   builder.box({-1.0, -1.0, -1.0}, {1.0, 1.0, 1.0}, Facing::Inward, diffuse({0.6F, 0.5F, 0.4F}));
   builder.box({-0.3, -1.0, -0.4}, {0.2, -0.2, 0.1}, Facing::Outward, phong(Vec3f(0.3F), Vec3f(0.4F), 30.0F));
-  for (int i = 0; i < 24; ++i) {
+  for (int i = 0; i < count; ++i) {
     const double turn = 2.4 * i; // golden angle
-    const double height = -0.7 + 1.5 * (i + 0.5) / 24.0;
+    const double height = -0.7 + 1.5 * (i + 0.5) / count;
     const Vec3d at(0.6 * std::cos(turn), height, 0.6 * std::sin(turn));
-    const double size = 0.03 + 0.02 * (i % 5);
+    const double size = scale * (0.03 + 0.02 * (i % 5));
     const Vec3d along(std::cos(5.0 * i), std::sin(5.0 * i), 0.3);
     const Vec3d across(0.2, std::cos(3.0 * i), std::sin(3.0 * i));
     builder.triangle(at, at + size * glm::normalize(along), at + size * glm::normalize(across),
@@ -34,8 +36,7 @@ Scene lampsAllAround() {
 }
 
 /// By light sampling alone and weighted, against the choice by power.
-void lampsByTree(Trial& t) {
-  const Scene scene = lampsAllAround();
+void expectSameByTree(Trial& t, const Scene& scene) {
   const auto with = [&](EstimatorSettings e) {
     e.pathKinds = kAllPathKinds & ~1U; // without the lamps themselves, whose edges are all noise
     return t.render(scene, {.estimator = e, .width = 32, .height = 32, .frames = 192}).film;
@@ -49,6 +50,11 @@ void lampsByTree(Trial& t) {
                          fmt::format("{}, columns from {}", name, 8 * i));
   }
 }
+
+void lampsByTree(Trial& t) { expectSameByTree(t, lampsAllAround(24, 1.0)); }
+
+/// More lamps than a table of the grid has bins: below these the tree decides.
+void lampsBelowTables(Trial& t) { expectSameByTree(t, lampsAllAround(1200, 0.25)); }
 
 /// Where hits decide: a bright floor between glowing walls, which BSDF sampling finds as well as light
 /// sampling does, in the proportions of the tree.
@@ -99,6 +105,7 @@ constexpr Check kLightTreeChecks[] = {
     {"treeFindsTheNearLamp", treeFindsTheNearLamp},
     {"glowByTree", glowByTree},
     {"lampsByTree", lampsByTree},
+    {"lampsBelowTables", lampsBelowTables},
     {"everythingByTree", everythingByTree},
 };
 

@@ -27,7 +27,7 @@ void Stage::pack(const EstimatorSettings& estimator) {
   Bvh tree = std::move(m_packed.bvh);
   m_packed = tree.nodes.empty() ? packScene(m_scene, estimator, m_effects)
                                 : packScene(m_scene, estimator, m_effects, std::move(tree));
-  learnGuide(m_packed, m_scene, m_effects, estimator);
+  learnScene(m_packed, m_scene, m_effects, estimator);
   m_integrator.reset(); // it is bound to what goes now
   m_device = uploadScene(m_context, m_packed);
   m_buildSeconds = watch.seconds();

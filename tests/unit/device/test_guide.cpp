@@ -31,7 +31,7 @@ std::vector<std::uint32_t> draws(const Guide& guide, std::uint32_t start) {
   for (std::uint32_t row = 0; row < kGuideBins; ++row) {
     const std::uint32_t own = guide.numbers.at(start + row);
     const std::uint32_t alias = own >> 24U;
-    for (std::uint32_t u = 0; u < kGuideUnits / kGuideBins; ++u)
+    for (std::uint32_t u = 0; u < kAliasUnits / kGuideBins; ++u)
       ++count[u < ((own >> 16U) & 255U) ? row : alias];
   }
   return count;
@@ -67,7 +67,7 @@ TEST(Guide, DrawsTheSharesThatItTells) {
     ASSERT_NE(start, kNoGuide);
     expectDrawnAsItSays(guide, start);
     for (std::uint32_t i = 0; i < kGuideBins; ++i)
-      ASSERT_NEAR(shareOf(guide, start, i), weight[i] / sum * kGuideUnits, 1.0) << i << " of " << photons;
+      ASSERT_NEAR(shareOf(guide, start, i), weight[i] / sum * kAliasUnits, 1.0) << i << " of " << photons;
   }
 }
 
@@ -77,7 +77,7 @@ TEST(Guide, ASingleBinKeepsOneUnitForAnother) {
   for (const std::size_t count : {std::size_t{1}, std::size_t{2}}) {
     const Guide guide = makeGuide(std::span(found).first(count));
     const std::uint32_t start = startAt(guide, Vec3f(0.0F));
-    EXPECT_EQ(shareOf(guide, start, 7), kGuideUnits - 1);
+    EXPECT_EQ(shareOf(guide, start, 7), kAliasUnits - 1);
     expectDrawnAsItSays(guide, start);
   }
 }
@@ -94,10 +94,10 @@ TEST(Guide, TellsPlacesApartWhereItHasSeenEnough) {
   const auto share = [&](const Vec3f& p, std::uint32_t bin) {
     return shareOf(guide, startAt(guide, p), bin);
   };
-  EXPECT_EQ(share(Vec3f(0.5F, 0.5F, 0.5F), 10), kGuideUnits - 1);
-  EXPECT_EQ(share(Vec3f(4.5F, 0.5F, 0.5F), 11), kGuideUnits - 1);
-  EXPECT_EQ(share(Vec3f(64.0F), 200), kGuideUnits - 1) << "too few for a small cube, enough for a large one";
-  EXPECT_EQ(share(Vec3f(61.0F), 200), kGuideUnits - 1) << "the same large cube";
+  EXPECT_EQ(share(Vec3f(0.5F, 0.5F, 0.5F), 10), kAliasUnits - 1);
+  EXPECT_EQ(share(Vec3f(4.5F, 0.5F, 0.5F), 11), kAliasUnits - 1);
+  EXPECT_EQ(share(Vec3f(64.0F), 200), kAliasUnits - 1) << "too few for a small cube, enough for a large one";
+  EXPECT_EQ(share(Vec3f(61.0F), 200), kAliasUnits - 1) << "the same large cube";
   EXPECT_EQ(startAt(guide, Vec3f(32.0F)), kNoGuide);
 }
 

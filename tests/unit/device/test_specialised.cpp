@@ -49,12 +49,12 @@ TEST(Specialised, OperationsOnThemAreConstantsToo) {
     std::uint32_t type, value;
   };
   // Ids: 10 true, 11 false, 12 is 3, 13 is 4.
-  const std::vector<Case> cases{{128, {12, 13}, 2, 7},     {132, {12, 13}, 2, 12}, {166, {10, 11}, 1, 1},
-                                {166, {11, 11}, 1, 0},     {167, {10, 11}, 1, 0},  {167, {10, 10}, 1, 1},
-                                {168, {10}, 1, 0},         {168, {11}, 1, 1},      {169, {10, 12, 13}, 2, 3},
-                                {169, {11, 12, 13}, 2, 4}, {170, {12, 13}, 1, 0},  {170, {12, 12}, 1, 1},
-                                {172, {12, 13}, 1, 0},     {172, {13, 12}, 1, 1},  {172, {12, 12}, 1, 0},
-                                {176, {12, 13}, 1, 1},     {176, {13, 12}, 1, 0},  {176, {12, 12}, 1, 0}};
+  const std::vector<Case> cases{
+      {128, {12, 13}, 2, 7},     {132, {12, 13}, 2, 12},    {166, {10, 11}, 1, 1}, {166, {11, 11}, 1, 0},
+      {167, {10, 11}, 1, 0},     {167, {10, 10}, 1, 1},     {168, {10}, 1, 0},     {168, {11}, 1, 1},
+      {169, {10, 12, 13}, 2, 3}, {169, {11, 12, 13}, 2, 4}, {170, {12, 13}, 1, 0}, {170, {12, 12}, 1, 1},
+      {172, {12, 13}, 1, 0},     {172, {13, 12}, 1, 1},     {172, {12, 12}, 1, 0}, {130, {13, 12}, 2, 1},
+      {194, {13, 10}, 2, 2},     {176, {12, 13}, 1, 1},     {176, {13, 12}, 1, 0}, {176, {12, 12}, 1, 0}};
   const std::vector<Words> constants{kBool,
                                      kUint,
                                      instruction(41, {1, 10}),
@@ -73,7 +73,7 @@ TEST(Specialised, OperationsOnThemAreConstantsToo) {
 }
 
 TEST(Specialised, AnOperationThatIsNotOursStays) {
-  const Words before = module({kUint, instruction(43, {2, 10, 3}), instruction(52, {2, 11, 130, 10, 10})});
+  const Words before = module({kUint, instruction(43, {2, 10, 3}), instruction(52, {2, 11, 134, 10, 10})});
   EXPECT_EQ(gpu::specialised(before, {}), before);
 }
 

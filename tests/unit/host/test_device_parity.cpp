@@ -71,7 +71,8 @@ TEST_F(TreeParity, WalksThePathsOfTheHost) {
   settings.estimator.lightSelection = LightSelection::Tree;
   const EffectSet effects = detectEffects(scene, settings.estimator);
   EXPECT_TRUE(effects.has(Effect::LightTree));
-  const PackedScene packed = packScene(scene, settings.estimator, effects, 1);
+  const PackedScene packed = packGuided(scene, settings.estimator, effects, 1);
+  EXPECT_NE(packed.lightChoice.grid.edge, 0U);
   const Film device = render(scene, setupOf(settings)).film;
   expectParity(device, renderHost32(packed, scene, effects, settings, kFrames, 2),
                kBoxParities[1].partedInFloat * 2.0);
