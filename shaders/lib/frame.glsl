@@ -40,3 +40,10 @@ Vec2 squareToTriangle(Vec2 u) {
 
 Float maxComponent(Vec3 v) { return max(v.x, max(v.y, v.z)); }
 Float meanComponent(Vec3 v) { return (v.x + v.y + v.z) * (1.0 / 3.0); }
+
+// The number of the cube about p of a grid, or `outside` where there is none.
+uint cubeAt(Vec3 p, Vec3 lower, Float cubesPerMetre, uint edge, uint outside) {
+  Vec3 q = (p - lower) * cubesPerMetre;
+  bool inside = min(q.x, min(q.y, q.z)) >= 0.0 && maxComponent(q) < Float(edge);
+  return inside ? guideCube(uint(q.x), uint(q.y), uint(q.z), edge) : outside;
+}

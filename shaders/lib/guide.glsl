@@ -30,10 +30,8 @@ uint guideBinOf(Vec3 d) {
 
 // Where the histogram of the cube about p lies; kNoGuide where no light has been seen to arrive.
 uint guideAt(Vec3 p) {
-  Vec3 q = (p - guideLower()) * guideCubesPerMetre();
-  uint edge = guideGridEdge();
-  bool inside = min(q.x, min(q.y, q.z)) >= 0.0 && maxComponent(q) < Float(edge);
-  return inside ? guideStart(guideCube(uint(q.x), uint(q.y), uint(q.z), edge)) : kNoGuide;
+  uint cube = cubeAt(p, guideLower(), guideCubesPerMetre(), guideGridEdge(), kNoGuide);
+  return cube != kNoGuide ? guideStart(cube) : kNoGuide;
 }
 
 // Of a path that light tracing doesn't join.

@@ -50,9 +50,7 @@ uint lightGridSide(Vec3 n) {
 
 // Where the table for a surface at p of normal n begins among the numbers of the grid.
 uint lightTableAt(Vec3 p, Vec3 n) {
-  Vec3 q = (p - lightGridLower()) * lightGridCubesPerMetre();
-  bool inside = min(q.x, min(q.y, q.z)) >= 0.0 && maxComponent(q) < Float(kLightGridEdge);
-  uint cube = inside ? guideCube(uint(q.x), uint(q.y), uint(q.z), kLightGridEdge) : kLightGridCubes;
+  uint cube = cubeAt(p, lightGridLower(), lightGridCubesPerMetre(), kLightGridEdge, kLightGridCubes);
   return lightGridNumber(cube * kLightGridSides + lightGridSide(n));
 }
 AliasBin lightBin(uint table, uint bin) { return unpackBin(lightGridNumber(table + bin), kLightTableBits); }

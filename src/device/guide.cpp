@@ -16,15 +16,11 @@ static_assert(shared::kGuideBins == 1U << shared::kGuideBits);
 
 using Histogram = std::array<double, shared::kGuideBins>;
 
-/// The finest, about all photons.
-CubeGrid gridAbout(std::span<const Photon> photons) {
+Box3d boxOf(std::span<const Photon> photons) {
   Box3d box;
   for (const Photon& p : photons)
     box.extend(Vec3d(p.p));
-  const Vec3d extent = box.extent();
-  const double longest =
-      std::max({extent.x, extent.y, extent.z, 1e-6 * glm::length(box.upper), 1e-30}) * 1.001;
-  return {Vec3f(box.centre() - 0.5 * longest), static_cast<float>(kFinestEdge / longest), kFinestEdge};
+  return box;
 }
 
 /// visit(cube), by number, x fastest, for the eight cubes nearest to a point; those outside are left out.
@@ -74,7 +70,7 @@ Guide makeGuide(std::span<const Photon> photons) {
   Guide guide;
   if (photons.empty())
     return guide;
-  guide.grid = gridAbout(photons);
+  guide.grid = gridAbout(boxOf(photons), kFinestEdge);
   guide.numbers.assign(std::size_t{kFinestEdge} * kFinestEdge * kFinestEdge, shared::kNoGuide);
   for (std::uint32_t edge = kCoarsestEdge; edge <= kFinestEdge; edge *= 2) {
     const CubeGrid grid{guide.grid.lower, guide.grid.cubesPerMetre / static_cast<float>(kFinestEdge / edge),

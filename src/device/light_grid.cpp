@@ -1,5 +1,6 @@
 #include "device/light_grid.h"
 
+#include "device/light_table.h"
 #include "device/light_table_quality.h"
 #include "device/light_tables.h"
 #include "device/packed_light_node.h"
@@ -16,16 +17,6 @@ using shared::kAnySide;
 using shared::kLightGridCubes;
 using shared::kLightGridEdge;
 using shared::kLightGridSides;
-
-CubeGrid gridAbout(const Scene& scene) {
-  Box3d box;
-  for (const Triangle& t : scene.triangles)
-    for (const std::uint32_t v : t.vertex)
-      box.extend(Vec3d(scene.positions[v]));
-  const Vec3d extent = box.extent();
-  const double longest = std::max({extent.x, extent.y, extent.z, 1e-30}) * 1.001;
-  return {Vec3f(box.centre() - 0.5 * longest), static_cast<float>(kLightGridEdge / longest), kLightGridEdge};
-}
 
 /// The nodes that a table chooses from: those that are largest and brightest are divided first.
 std::vector<std::uint32_t> cutThrough(const PackedScene& scene) {
@@ -103,13 +94,17 @@ void makeLightGrid(PackedScene& scene, const Scene& source,
     return;
   const std::vector<std::uint32_t> cut = cutThrough(scene);
   LightChoice& choice = scene.lightChoice;
+  const std::vector<std::uint32_t> before = scene.lightGrid;
   choice.tableBits = std::max(static_cast<std::uint32_t>(std::bit_width(cut.size() - 1)), 4U);
   const std::size_t bins = std::size_t{1} << choice.tableBits;
-  const CubeGrid grid = gridAbout(source);
+  const CubeGrid grid = gridAbout(sceneBox(source), kLightGridEdge);
   begin(scene, cut, bins);
   append(scene, lightTables(grid, source, cut, bins, functions, threads));
   if (!tablesChooseAsWell(scene, source, grid, functions())) {
-    scene.lightGrid.assign(4, 0U); // no buffer is smaller
+    scene.lightGrid = before;
+    choice.tableBits = LightChoice{}.tableBits;
+    for (const std::uint32_t node : cut)
+      setLightBin(scene, node, 0);
     return;
   }
   choice.grid = grid;

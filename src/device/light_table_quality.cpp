@@ -1,6 +1,7 @@
 #include "device/light_table_quality.h"
 
 #include "device/effective_material.h"
+#include "device/light_table.h"
 #include "device/packed_light_node.h"
 #include "shared/structs.h"
 
@@ -92,9 +93,8 @@ class Places {
 public:
   explicit Places(const Scene& scene) : m_scene(scene) {
     for (const Triangle& t : scene.triangles) {
-      const auto [a, u, v] = edgesOf(t);
       const bool none = isNothing(scene.materials[t.material]);
-      m_areas.push_back(m_areas.back() + (none ? 0.0 : glm::length(glm::cross(u, v))));
+      m_areas.push_back(m_areas.back() + (none ? 0.0 : triangleArea(scene, t)));
     }
   }
   [[nodiscard]] bool empty() const { return !(m_areas.back() > 0.0); }
@@ -102,7 +102,10 @@ public:
     const auto spread = [i](double step) { return std::fmod(0.5 + i * step, 1.0); }; // Roberts's sequence
     const double along = (i + 0.5) / count * m_areas.back();
     const auto above = std::ranges::upper_bound(m_areas, along); // not past the end: along is less than all
-    const auto [a, u, v] = edgesOf(m_scene.triangles[static_cast<std::size_t>(above - m_areas.begin() - 1)]);
+    const Triangle& t = m_scene.triangles[static_cast<std::size_t>(above - m_areas.begin() - 1)];
+    const Vec3d a(m_scene.positions[t.vertex[0]]);
+    const Vec3d u = Vec3d(m_scene.positions[t.vertex[1]]) - a;
+    const Vec3d v = Vec3d(m_scene.positions[t.vertex[2]]) - a;
     const double root = std::sqrt(spread(0.7548776662466927));
     const double other = spread(0.5698402909980532);
     return {Vec3f(a + u * (root * (1.0 - other)) + v * (root * other)),
@@ -110,15 +113,8 @@ public:
   }
 
 private:
-  struct Edges {
-    Vec3d a, u, v;
-  };
-  [[nodiscard]] Edges edgesOf(const Triangle& t) const {
-    const Vec3d a(m_scene.positions[t.vertex[0]]);
-    return {a, Vec3d(m_scene.positions[t.vertex[1]]) - a, Vec3d(m_scene.positions[t.vertex[2]]) - a};
-  }
   const Scene& m_scene;
-  std::vector<double> m_areas{0.0}; ///< doubled, summed up to each triangle
+  std::vector<double> m_areas{0.0}; ///< summed up to each triangle
 };
 
 } // namespace

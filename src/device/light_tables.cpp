@@ -23,7 +23,7 @@ struct Facing {
 };
 using Cube = std::array<Facing, kAnySide>;
 
-/// visit(number, centre) for every cube that a triangle's plane cuts within the triangle's box.
+/// visit(number) for every cube that a triangle's plane cuts within the triangle's box.
 template<class Visit>
 void eachCubeOf(const CubeGrid& grid, const std::array<Vec3d, 3>& v, const Vec3d& normal,
                 const Visit& visit) {
@@ -58,15 +58,17 @@ std::vector<Cube> surfacesIn(const CubeGrid& grid, const Scene& scene, const Lig
     const double area = glm::length(across);
     if (!(area > 0.0))
       continue;
-    for (const Vec3d& normal : {across / area, -across / area}) {
-      const auto side = functions.side(Vec3f(normal));
-      eachCubeOf(grid, v, normal, [&](std::uint32_t cube) {
-        Facing& f = cubes[cube][side];
-        f.normal += area * normal;
-        f.offset += area * glm::dot(normal, v[0]);
+    const Vec3d front = across / area;
+    const std::array<std::uint32_t, 2> sides{functions.side(Vec3f(front)), functions.side(Vec3f(-front))};
+    eachCubeOf(grid, v, front, [&](std::uint32_t cube) {
+      for (const std::size_t back : {0U, 1U}) {
+        const Vec3d normal = back != 0 ? -across : across; // times the area
+        Facing& f = cubes[cube][sides[back]];
+        f.normal += normal;
+        f.offset += glm::dot(normal, v[0]);
         f.area += area;
-      });
-    }
+      }
+    });
   }
   return cubes;
 }

@@ -2,6 +2,7 @@
 // A scene as the kernels read it: packed texels.
 
 #include "accel/bvh.h"
+#include "device/cube_grid.h"
 #include "device/effects.h"
 #include "scene/scene.h"
 
@@ -11,13 +12,6 @@
 namespace vkpt {
 
 using Texel = std::array<std::uint32_t, 4>;
-
-/// Cubes of space, by which directions are guided (device/guide.h) and lights chosen (device/light_grid.h).
-struct CubeGrid {
-  Vec3f lower{0.0F}; ///< corner, in local coordinates
-  float cubesPerMetre = 0.0F;
-  std::uint32_t edge = 0; ///< cubes along it; 0: there is none
-};
 
 /// What light sampling chooses from.
 struct LightChoice {

@@ -160,6 +160,8 @@ TEST(LightGrid, LeavesItToTheTreeWhereItsCubesAreTooLarge) {
   EXPECT_FALSE(p.lightChoice.byTables);
   EXPECT_EQ(p.lightGrid.size(), 4U);
   EXPECT_EQ(p.triangles, before.triangles) << "lights are numbered by their leaves";
+  EXPECT_EQ(p.lightNodes, before.lightNodes) << "no node has a bin";
+  EXPECT_EQ(p.lightChoice.tableBits, before.lightChoice.tableBits);
 }
 
 TEST(LightGrid, DoesNotDependOnThreads) {
