@@ -117,12 +117,17 @@ private:
   std::map<Corner, std::uint32_t> m_vertices;
 };
 
-/// The lamp's light from 500 small squares, spread over the ceiling.
-Scene boxWithLights(int size) {
+/// What takes the lamp's place and sends out as much light: rectangles all over the ceiling, two triangles
+/// each.
+struct Lamps {
+  int columns = 1;
+  int rows = 1;
+  bool touch = false; ///< each other and the walls; otherwise they have the lamp's area together
+};
+
+Scene boxWithLamps(const Lamps& lamps, int size) {
   Scene scene = loadFiles({"CornellBox.obj", "CornellBlocks.obj"}, size);
   const std::uint32_t light = materialNamed(scene, "light");
-  constexpr int kColumns = 25;
-  constexpr int kRows = 20;
   float area = 0.0F;
   Vec3f facing(0.0F);
   float height = 0.0F;
@@ -135,14 +140,17 @@ Scene boxWithLights(int size) {
     return true;
   });
   const Box3f box = boxOf(scene);
-  const float edge = std::sqrt(area / (kColumns * kRows));
-  for (int i = 0; i < kColumns * kRows; ++i) {
-    const auto column = static_cast<float>(i % kColumns);
-    const auto row = static_cast<float>(i / kColumns);
-    const Vec3f low(glm::mix(box.lower.x, box.upper.x, (column + 0.5F) / kColumns) - 0.5F * edge, height,
-                    glm::mix(box.lower.z, box.upper.z, (row + 0.5F) / kRows) - 0.5F * edge);
-    const auto corner = [&](float x, float z) { return addVertex(scene, low + edge * Vec3f(x, 0.0F, z)); };
-    const std::array<std::uint32_t, 4> c{corner(0, 0), corner(1, 0), corner(1, 1), corner(0, 1)};
+  const Vec3f cell = box.extent() / Vec3f(lamps.columns, 1.0F, lamps.rows);
+  const float covered = area / (box.extent().x * box.extent().z);
+  const float fill = lamps.touch ? 1.0F : std::sqrt(covered);
+  scene.materials.at(light).emission *= covered / (fill * fill);
+  for (int i = 0; i < lamps.columns * lamps.rows; ++i) {
+    const Vec3f middle = Vec3f(i % lamps.columns, 0.0F, i / lamps.columns) + Vec3f(0.5F, 0.0F, 0.5F);
+    const auto corner = [&](float x, float z) {
+      const Vec3f p = box.lower + cell * (middle + 0.5F * fill * Vec3f(x, 0.0F, z));
+      return addVertex(scene, {p.x, height, p.z});
+    };
+    const std::array<std::uint32_t, 4> c{corner(-1, -1), corner(1, -1), corner(1, 1), corner(-1, 1)};
     for (Triangle t : {Triangle{{c[0], c[1], c[2]}}, Triangle{{c[0], c[2], c[3]}}}) {
       t.material = light;
       if (glm::dot(crossOf(scene, t), facing) < 0.0F)
@@ -228,7 +236,9 @@ Scene loadByName(const std::string& name, int size, const fs::path& mesh) {
   if (name == "million")
     return boxWithBall(kMillion, size);
   if (name == "lights")
-    return boxWithLights(size);
+    return boxWithLamps({25, 20, false}, size);
+  if (name == "ceiling" || name == "tiles")
+    return name == "tiles" ? boxWithLamps({25, 20, true}, size) : boxWithLamps({1, 1, true}, size);
   if (name == "peers-blocks" || name == "peers-spheres")
     return peersBox(name == "peers-spheres", size);
   if (fs::path(name).has_extension())

@@ -17,6 +17,7 @@ Scene boxWithBall(std::uint32_t triangles, int size);
 /// What names stand for, for --help.
 inline constexpr const char* kSceneNames =
     "blocks, spheres, busts (Phong), mesh, million (triangles), lights (1000 emissive triangles); "
+    "ceiling, tiles (one lamp over all of the ceiling, and 1000 in its place); "
     "peers-blocks, peers-spheres (the box in which other renderers were measured); or files";
 
 } // namespace vkpt::bench

@@ -23,6 +23,8 @@ SCENES = {
     "mesh": "with the Stanford dragon",
     "million": "with a ball of a million triangles",
     "lights": "with blocks and 1000 emissive triangles",
+    "ceiling": "with blocks, all of the ceiling one lamp",
+    "tiles": "with blocks, the same ceiling of 1000 emissive triangles",
 }
 ESTIMATORS = {
     "sobol, mis": "Sobol' points, multiple importance sampling",

@@ -17,6 +17,11 @@ using vk::DescriptorType;
 constexpr std::uint32_t kBindingRays = kBindingCount;
 constexpr std::uint32_t kBindingResults = kBindingCount + 1;
 constexpr std::uint32_t kConstantShadow = 100;
+constexpr std::uint32_t kConstantRaysPerLane = 101;
+
+// So few that a subgroup stays far below the driver's limit of loop iterations (shared/structs.h,
+// kStepBudget).
+constexpr std::uint32_t kRaysPerLane = 32;
 
 constexpr auto kLayout = std::to_array<gpu::BindingLayout>({
     {kBindingFrame, DescriptorType::eUniformBuffer},
@@ -36,6 +41,7 @@ TraceProbe::TraceProbe(const gpu::Context& context, const DeviceScene& scene,
       m_pipeline(context, spirv::kTrace, m_bindings,
                  {{kConstantStackDepth, scene.stackDepth},
                   {kConstantShadow, shadow ? 1U : 0U},
+                  {kConstantRaysPerLane, kRaysPerLane},
                   {static_cast<std::uint32_t>(Effect::LightSamples), 0U}}),
       m_frame(context, "frame constants", sizeof(FrameConstants), vk::BufferUsageFlagBits::eUniformBuffer,
               gpu::MemoryKind::Device),
@@ -61,7 +67,8 @@ void TraceProbe::trace() const {
     commands.bindDescriptorSets(vk::PipelineBindPoint::eCompute, m_bindings.pipelineLayout(), 0,
                                 m_bindings.set(), {});
     commands.pushConstants<Dispatch>(m_bindings.pipelineLayout(), vk::ShaderStageFlagBits::eCompute, 0, job);
-    commands.dispatch((m_count + kBlockPixels - 1) / kBlockPixels, 1, 1);
+    const std::uint32_t raysPerGroup = kBlockPixels * kRaysPerLane;
+    commands.dispatch((m_count + raysPerGroup - 1) / raysPerGroup, 1, 1);
   });
 }
 
