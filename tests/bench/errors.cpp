@@ -22,7 +22,7 @@ namespace vkpt::bench {
 namespace {
 
 struct Options {
-  std::vector<std::string> scenes{"blocks", "spheres", "busts", "million", "lights"};
+  std::vector<std::string> scenes{"blocks", "spheres", "busts", "million", "lights", "ceiling", "tiles"};
   fs::path mesh;
   fs::path folder = ".";
   int size = 128;

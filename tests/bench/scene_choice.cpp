@@ -237,8 +237,10 @@ Scene loadByName(const std::string& name, int size, const fs::path& mesh) {
     return boxWithBall(kMillion, size);
   if (name == "lights")
     return boxWithLamps({25, 20, false}, size);
-  if (name == "ceiling" || name == "tiles")
-    return name == "tiles" ? boxWithLamps({25, 20, true}, size) : boxWithLamps({1, 1, true}, size);
+  if (name == "ceiling")
+    return boxWithLamps({1, 1, true}, size);
+  if (name == "tiles")
+    return boxWithLamps({25, 20, true}, size);
   if (name == "peers-blocks" || name == "peers-spheres")
     return peersBox(name == "peers-spheres", size);
   if (fs::path(name).has_extension())

@@ -55,6 +55,7 @@ void main() {
     uint before = subgroupExclusiveAdd(ended);
     uint all = subgroupAdd(ended);
     if (ended != 0u) {
+      if (traversalCut(t)) reportCut();
       bool hits = t.hit.triangle != kNoTriangle;
       results[i] = kShadow == 0u ? t.hit.t : hits ? 1.0 : 0.0;
       i = next + before;
